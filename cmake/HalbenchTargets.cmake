@@ -19,11 +19,15 @@ endif()
 
 # halbench_library(control_lti DEPENDS control_base ...): one static library of all sources in this folder
 # (not its sub-folders). A folder without sources becomes an interface library, so that its dependants link.
+# RECURSE: its sub-folders too. FOLDERS a b: these sub-folders, each with its own, instead of this folder.
 # AUTOMOC: the folder has Q_OBJECT classes.
 # PRECOMPILED: the layer whose precompiled header its sources read (cmake/Precompiled.cmake).
 function(halbench_library name)
-  cmake_parse_arguments(ARG "RECURSE;AUTOMOC" "PRECOMPILED" "DEPENDS" ${ARGN})
-  if(ARG_RECURSE)
+  cmake_parse_arguments(ARG "RECURSE;AUTOMOC" "PRECOMPILED" "DEPENDS;FOLDERS" ${ARGN})
+  if(ARG_FOLDERS)
+    list(TRANSFORM ARG_FOLDERS APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
+    file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${patterns})
+  elseif(ARG_RECURSE)
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS *.cpp *.c)
     list(FILTER sources EXCLUDE REGEX "/(boards|examples)/")
   else()
@@ -54,14 +58,15 @@ function(halbench_library name)
   endif()
 endfunction()
 
-# halbench_test(control_lti): every *_test.cpp of this folder in one program, run in a few parts by ctest (GoogleTest's
+# halbench_test(control_lti): every *.cpp of this folder (and of FOLDERS below it) in one program, run in a few parts by ctest (GoogleTest's
 # shards): one process for many cases, since starting one each took most of the time. A failing case is named by its part's
 # output. LABELS night marks a suite that only `./dev test --night` runs. PRECOMPILED as above.
 add_custom_target(unit_tests)  # what runs under the address sanitizer too: the suites without a label
 add_custom_target(night_tests) # what only the night builds
 function(halbench_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT;PRECOMPILED" "DEPENDS;LABELS" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  cmake_parse_arguments(ARG "" "TIMEOUT;PRECOMPILED" "DEPENDS;LABELS;FOLDERS" ${ARGN})
+  list(TRANSFORM ARG_FOLDERS APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp ${patterns})
   if(NOT sources)
     return()
   endif()

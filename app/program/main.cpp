@@ -1,5 +1,5 @@
-#include "app/batch/interrupt.h"
-#include "app/batch/program.h"
+#include "app/cli/program.h"
+#include "app/headless/interrupt.h"
 #include "app/window/window_program.h"
 
 int main(int count, char** words) {

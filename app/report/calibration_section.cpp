@@ -1,5 +1,5 @@
-#include "app/report/calibration_figures.h"
-#include "app/report/parameter_units.h"
+#include "app/figures/calibration_figures.h"
+#include "app/figures/parameter_units.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
 #include "control/base/units.h"

@@ -1,4 +1,4 @@
-#include "app/report/frequency_figures.h"
+#include "app/figures/frequency_figures.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
 #include "control/base/units.h"

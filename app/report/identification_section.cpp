@@ -1,4 +1,4 @@
-#include "app/report/identification_figures.h"
+#include "app/figures/identification_figures.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
 

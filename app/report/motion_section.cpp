@@ -1,4 +1,4 @@
-#include "app/report/parameter_units.h"
+#include "app/figures/parameter_units.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
 #include "control/base/units.h"

@@ -1,9 +1,9 @@
 #include "app/report/report.h"
 
 #include "app/report/report_style.h"
-#include "widgets/figure_svg.h"
-#include "widgets/offscreen_application.h"
-#include "widgets/theme.h"
+#include "widgets/figure/figure_svg.h"
+#include "widgets/figure/offscreen_application.h"
+#include "widgets/theme/theme.h"
 
 #include <fmt/format.h>
 

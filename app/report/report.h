@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/procedures/procedure.h"
+#include "app/procedures/base/procedure.h"
 #include "control/base/result.h"
-#include "widgets/figure.h"
+#include "widgets/figure/figure.h"
 
 #include <optional>
 #include <string>

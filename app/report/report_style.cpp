@@ -1,6 +1,6 @@
 #include "app/report/report_style.h"
 
-#include "widgets/theme.h"
+#include "widgets/theme/theme.h"
 
 #include <fmt/format.h>
 

@@ -1,16 +1,16 @@
 #pragma once
 
-#include "app/procedures/apply_procedure.h"
-#include "app/procedures/calibrate_procedure.h"
-#include "app/procedures/frequency_procedure.h"
-#include "app/procedures/identify_procedure.h"
-#include "app/procedures/loop_uncertainty.h"
-#include "app/procedures/motor_analysis.h"
-#include "app/procedures/move_repetition.h"
-#include "app/procedures/relay_procedure.h"
-#include "app/procedures/tune.h"
+#include "app/actuators/htm/motor_analysis.h"
+#include "app/procedures/apply/apply_procedure.h"
+#include "app/procedures/calibrate/calibrate_procedure.h"
+#include "app/procedures/frequency/frequency_procedure.h"
+#include "app/procedures/identify/identify_procedure.h"
+#include "app/procedures/move/move_repetition.h"
+#include "app/procedures/relay/relay_procedure.h"
+#include "app/procedures/tune/loop_uncertainty.h"
+#include "app/procedures/tune/tune.h"
 #include "app/report/report.h"
-#include "models/plants/htm_ideal_loop.h"
+#include "models/htm/htm_ideal_loop.h"
 
 #include <optional>
 #include <string>

@@ -1,9 +1,9 @@
-#include "app/report/loop_figures.h"
-#include "app/report/parameter_units.h"
+#include "app/figures/loop_figures.h"
+#include "app/figures/parameter_units.h"
+#include "app/figures/root_locus_figure.h"
+#include "app/figures/tuning_figures.h"
 #include "app/report/report_blocks.h"
-#include "app/report/root_locus_figure.h"
 #include "app/report/step_sections.h"
-#include "app/report/tuning_figures.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 #include "app/session/connection.h"
 
-#include "devices/gone_device.h"
+#include "devices/open/gone_device.h"
 
 #include <algorithm>
 #include <utility>

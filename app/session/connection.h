@@ -3,8 +3,8 @@
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
 #include "devices/device.h"
-#include "devices/device_return.h"
 #include "devices/link_orders.h"
+#include "devices/open/device_return.h"
 
 #include <atomic>
 #include <chrono>

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "app/procedures/procedure.h"
+#include "app/procedures/base/procedure.h"
 #include "app/session/connection.h"
 #include "app/session/gui_queue.h"
 #include "app/session/shared_device.h"
 #include "devices/acquisition/display_inbox.h"
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 
 #include <QtCore/QObject>
 #include <QtCore/QString>

@@ -2,8 +2,8 @@
 
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
-#include "devices/acquisition/recording_meta.h"
-#include "devices/acquisition/recording_writer.h"
+#include "devices/recording/recording_meta.h"
+#include "devices/recording/recording_writer.h"
 
 #include <condition_variable>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/session/recorder.h"
-#include "devices/acquisition/held_rows.h"
+#include "devices/recording/held_rows.h"
 
 #include <memory>
 #include <mutex>

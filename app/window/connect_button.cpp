@@ -1,6 +1,6 @@
 #include "app/window/connect_button.h"
 
-#include "widgets/icons.h"
+#include "widgets/theme/icons.h"
 
 #include <QKeyEvent>
 #include <QMenu>

@@ -1,6 +1,6 @@
 #include "app/window/file_dialogs.h"
 
-#include "widgets/stop_button.h"
+#include "widgets/controls/stop_button.h"
 
 #include <QFileDialog>
 #include <QGridLayout>

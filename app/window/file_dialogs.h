@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/workspaces/file_chooser.h"
-#include "app/workspaces/workbench.h"
+#include "app/workbench/file_chooser.h"
+#include "app/workbench/workbench.h"
 
 class QFileDialog;
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/window/preferences.h"
-#include "app/window/project_session.h"
-#include "app/workspaces/workbench.h"
-#include "widgets/message_bar.h"
+#include "app/window/preferences/preferences.h"
+#include "app/window/project/project_session.h"
+#include "app/workbench/workbench.h"
+#include "widgets/controls/message_bar.h"
 
 #include <QMainWindow>
 #include <QTimer>

@@ -1,7 +1,7 @@
-#include "app/window/dock_layout.h"
+#include "app/window/docks/dock_layout.h"
 #include "app/window/main_window.h"
-#include "app/workspaces/device_panel.h"
-#include "app/workspaces/drive_control.h"
+#include "app/workbench/drive_control.h"
+#include "app/workspaces/device/device_panel.h"
 
 #include <QApplication>
 #include <QCloseEvent>

@@ -1,14 +1,14 @@
 // The project of the window: what its panels show, opened, collected, kept.
-#include "app/window/dock_layout.h"
+#include "app/window/docks/dock_layout.h"
+#include "app/window/docks/panels.h"
 #include "app/window/main_window.h"
-#include "app/window/panels.h"
-#include "app/window/project_menu.h"
-#include "app/window/project_work.h"
-#include "app/workspaces/device_panel.h"
-#include "app/workspaces/monitor_panel.h"
-#include "app/workspaces/notes_panel.h"
-#include "widgets/message_bar.h"
-#include "widgets/phrasebook.h"
+#include "app/window/project/project_menu.h"
+#include "app/window/project/project_work.h"
+#include "app/workspaces/device/device_panel.h"
+#include "app/workspaces/device/notes_panel.h"
+#include "app/workspaces/monitor/monitor_panel.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/language/phrasebook.h"
 
 #include <QFileInfo>
 

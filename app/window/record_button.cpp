@@ -1,9 +1,9 @@
 #include "app/window/record_button.h"
 
-#include "app/workspaces/recording_control.h"
-#include "widgets/icons.h"
-#include "widgets/progress_row.h"
-#include "widgets/theme_style.h"
+#include "app/workbench/recording_control.h"
+#include "widgets/controls/progress_row.h"
+#include "widgets/theme/icons.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QEvent>
 

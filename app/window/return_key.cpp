@@ -1,6 +1,6 @@
 #include "app/window/return_key.h"
 
-#include "widgets/stop_button.h"
+#include "widgets/controls/stop_button.h"
 
 #include <QApplication>
 #include <QKeyEvent>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workspaces/workbench.h"
+#include "app/workbench/workbench.h"
 
 namespace halbench::app {
 

@@ -1,17 +1,17 @@
 #include "app/window/top_bar.h"
 
-#include "app/window/perspective_bar.h"
+#include "app/window/docks/perspective_bar.h"
 #include "app/window/record_button.h"
-#include "app/workspaces/arm_button.h"
-#include "app/workspaces/drive_words.h"
-#include "app/workspaces/fault_words.h"
-#include "app/workspaces/focus_rest.h"
-#include "app/workspaces/mode_box.h"
-#include "app/workspaces/panel_parts.h"
-#include "widgets/phrasebook.h"
-#include "widgets/status_strip.h"
-#include "widgets/stop_button.h"
-#include "widgets/theme_style.h"
+#include "app/workbench/drive_words.h"
+#include "app/workbench/fault_words.h"
+#include "app/workspaces/drive/arm_button.h"
+#include "app/workspaces/drive/mode_box.h"
+#include "app/workspaces/parts/focus_rest.h"
+#include "app/workspaces/parts/panel_parts.h"
+#include "widgets/controls/status_strip.h"
+#include "widgets/controls/stop_button.h"
+#include "widgets/language/phrasebook.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

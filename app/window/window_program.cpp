@@ -1,10 +1,10 @@
 #include "app/window/window_program.h"
 
-#include "app/batch/interrupt.h"
-#include "app/window/language.h"
+#include "app/headless/interrupt.h"
 #include "app/window/main_window.h"
+#include "app/window/preferences/language.h"
 #include "app/window/window_application.h"
-#include "widgets/theme_style.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QApplication>
 #include <QScreen>

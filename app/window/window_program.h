@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/preferences.h"
+#include "app/window/preferences/preferences.h"
 
 #include <atomic>
 #include <memory>

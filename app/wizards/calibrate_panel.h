@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/batch/calibration_file.h"
-#include "app/procedures/calibrate_procedure.h"
+#include "app/documents/calibration_file.h"
+#include "app/procedures/calibrate/calibrate_procedure.h"
 #include "app/wizards/live_hall.h"
 #include "app/wizards/wizard_panel.h"
 

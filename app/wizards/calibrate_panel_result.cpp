@@ -1,14 +1,14 @@
-#include "app/report/calibration_figures.h"
+#include "app/figures/calibration_figures.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/calibrate_words.h"
 #include "app/wizards/identify_words.h"
 #include "app/wizards/note_label.h"
 #include "app/wizards/words_and_pictures.h"
-#include "widgets/display_units.h"
-#include "widgets/figure_view.h"
-#include "widgets/message_bar.h"
-#include "widgets/step_list.h"
-#include "widgets/verdict_view.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/step_list.h"
+#include "widgets/controls/verdict_view.h"
+#include "widgets/figure/figure_view.h"
+#include "widgets/language/display_units.h"
 
 #include <QLabel>
 #include <QTabWidget>

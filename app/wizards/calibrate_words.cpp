@@ -1,9 +1,9 @@
 #include "app/wizards/calibrate_words.h"
 
 #include "app/wizards/identify_words.h"
-#include "app/workspaces/wall_clock.h"
+#include "app/workbench/wall_clock.h"
 #include "control/base/unit_text.h"
-#include "widgets/display_units.h"
+#include "widgets/language/display_units.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/batch/result_header.h"
-#include "app/procedures/calibrate_procedure.h"
-#include "app/workspaces/display_quantity.h"
-#include "widgets/estimate_table.h"
+#include "app/documents/result_header.h"
+#include "app/procedures/calibrate/calibrate_procedure.h"
+#include "app/workbench/display_quantity.h"
+#include "widgets/controls/estimate_table.h"
 
 #include <QString>
 

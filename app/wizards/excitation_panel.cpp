@@ -1,12 +1,12 @@
 #include "app/wizards/excitation_panel.h"
 
-#include "app/procedures/coil_forecast.h"
-#include "app/workspaces/preflight.h"
-#include "widgets/message_bar.h"
-#include "widgets/phrasebook.h"
-#include "widgets/progress_row.h"
-#include "widgets/step_list.h"
-#include "widgets/theme_style.h"
+#include "app/procedures/base/coil_forecast.h"
+#include "app/workspaces/parts/preflight.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/progress_row.h"
+#include "widgets/controls/step_list.h"
+#include "widgets/language/phrasebook.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -1,9 +1,9 @@
 #include "app/wizards/frequency_form.h"
 
 #include "control/base/units.h"
-#include "widgets/optional_number_edit.h"
-#include "widgets/quantity_edit.h"
-#include "widgets/theme_style.h"
+#include "widgets/controls/optional_number_edit.h"
+#include "widgets/controls/quantity_edit.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QComboBox>
 #include <QEvent>

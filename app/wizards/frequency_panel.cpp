@@ -1,16 +1,16 @@
 #include "app/wizards/frequency_panel.h"
 
-#include "app/batch/frequency_table.h"
-#include "app/batch/loop_conditions.h"
-#include "app/batch/result_documents.h"
-#include "app/procedures/frequency_board.h"
+#include "app/documents/frequency_table.h"
+#include "app/documents/result_documents.h"
+#include "app/procedures/frequency/frequency_board.h"
+#include "app/tuning/loop_conditions.h"
 #include "app/wizards/frequency_form.h"
 #include "app/wizards/frequency_result_view.h"
 #include "app/wizards/frequency_words.h"
 #include "app/wizards/identify_words.h"
-#include "app/workspaces/document_files.h"
-#include "widgets/icons.h"
-#include "widgets/message_bar.h"
+#include "app/workbench/document_files.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/theme/icons.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/procedures/frequency_procedure.h"
+#include "app/procedures/frequency/frequency_procedure.h"
 #include "app/wizards/excitation_panel.h"
 
 class QPushButton;

@@ -1,15 +1,15 @@
 #include "app/wizards/frequency_result_view.h"
 
-#include "app/report/frequency_figures.h"
+#include "app/figures/frequency_figures.h"
 #include "app/wizards/frequency_words.h"
 #include "app/wizards/identify_words.h"
 #include "app/wizards/result_words.h"
 #include "app/wizards/words_and_pictures.h"
-#include "app/workspaces/document_files.h"
-#include "app/workspaces/figure_units.h"
-#include "widgets/figure_view.h"
-#include "widgets/phrasebook.h"
-#include "widgets/theme_style.h"
+#include "app/workbench/document_files.h"
+#include "app/workspaces/parts/figure_units.h"
+#include "widgets/figure/figure_view.h"
+#include "widgets/language/phrasebook.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QEvent>
 #include <QLabel>

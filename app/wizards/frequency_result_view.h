@@ -1,10 +1,10 @@
 #pragma once
 
-#include "app/batch/result_header.h"
-#include "app/procedures/frequency_procedure.h"
-#include "app/workspaces/display_quantity.h"
-#include "app/workspaces/file_chooser.h"
-#include "app/workspaces/file_queue.h"
+#include "app/documents/result_header.h"
+#include "app/procedures/frequency/frequency_procedure.h"
+#include "app/workbench/display_quantity.h"
+#include "app/workbench/file_chooser.h"
+#include "app/workbench/file_queue.h"
 
 #include <QWidget>
 

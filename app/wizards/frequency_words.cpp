@@ -1,11 +1,11 @@
 #include "app/wizards/frequency_words.h"
 
-#include "app/procedures/frequency_board.h"
+#include "app/procedures/frequency/frequency_board.h"
 #include "control/base/unit_text.h"
 #include "control/base/units.h"
-#include "widgets/display_units.h"
-#include "widgets/progress_row.h"
-#include "widgets/unbroken.h"
+#include "widgets/controls/progress_row.h"
+#include "widgets/language/display_units.h"
+#include "widgets/language/unbroken.h"
 
 #include <QCoreApplication>
 #include <QStringList>

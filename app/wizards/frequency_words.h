@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/procedures/frequency_plan.h"
+#include "app/procedures/frequency/frequency_plan.h"
 #include "devices/device.h"
-#include "widgets/estimate_table.h"
+#include "widgets/controls/estimate_table.h"
 
 #include <QString>
 

@@ -1,9 +1,9 @@
 #include "app/wizards/identify_form.h"
 
 #include "control/base/unit_text.h"
-#include "widgets/icons.h"
-#include "widgets/optional_number_edit.h"
-#include "widgets/quantity_edit.h"
+#include "widgets/controls/optional_number_edit.h"
+#include "widgets/controls/quantity_edit.h"
+#include "widgets/theme/icons.h"
 
 #include <QComboBox>
 #include <QEvent>

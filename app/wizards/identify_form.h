@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/procedures/identify_procedure.h"
+#include "app/procedures/identify/identify_procedure.h"
 
 #include <QStringList>
 #include <QWidget>

@@ -1,18 +1,18 @@
 #include "app/wizards/identify_panel.h"
 
-#include "app/batch/identification_file.h"
-#include "app/batch/result_documents.h"
+#include "app/documents/identification_file.h"
+#include "app/documents/result_documents.h"
 #include "app/wizards/identify_form.h"
 #include "app/wizards/identify_result_view.h"
 #include "app/wizards/identify_words.h"
-#include "app/workspaces/figure_units.h"
-#include "app/workspaces/preflight.h"
-#include "widgets/figure_view.h"
-#include "widgets/icons.h"
-#include "widgets/message_bar.h"
-#include "widgets/phrasebook.h"
-#include "widgets/progress_row.h"
-#include "widgets/step_list.h"
+#include "app/workspaces/parts/figure_units.h"
+#include "app/workspaces/parts/preflight.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/progress_row.h"
+#include "widgets/controls/step_list.h"
+#include "widgets/figure/figure_view.h"
+#include "widgets/language/phrasebook.h"
+#include "widgets/theme/icons.h"
 
 #include <QLabel>
 #include <QPushButton>

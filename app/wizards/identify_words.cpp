@@ -1,13 +1,13 @@
 #include "app/wizards/identify_words.h"
 
-#include "app/procedures/identify_plan.h"
-#include "app/workspaces/wall_clock.h"
+#include "app/procedures/identify/identify_plan.h"
+#include "app/workbench/wall_clock.h"
 #include "control/base/unit_text.h"
 #include "control/base/units.h"
-#include "widgets/display_units.h"
-#include "widgets/phrasebook.h"
-#include "widgets/progress_row.h"
-#include "widgets/unbroken.h"
+#include "widgets/controls/progress_row.h"
+#include "widgets/language/display_units.h"
+#include "widgets/language/phrasebook.h"
+#include "widgets/language/unbroken.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/batch/result_header.h"
-#include "app/procedures/identify_procedure.h"
-#include "widgets/estimate_table.h"
-#include "widgets/verdict_view.h"
+#include "app/documents/result_header.h"
+#include "app/procedures/identify/identify_procedure.h"
+#include "widgets/controls/estimate_table.h"
+#include "widgets/controls/verdict_view.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "control/base/sample_block.h"
-#include "widgets/figure.h"
+#include "widgets/figure/figure.h"
 
 #include <cstddef>
 #include <mutex>

@@ -1,6 +1,6 @@
 #include "app/wizards/note_label.h"
 
-#include "widgets/theme_style.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QCoreApplication>
 #include <QLabel>

@@ -1,7 +1,7 @@
 #include "app/wizards/relay_form.h"
 
-#include "widgets/optional_number_edit.h"
-#include "widgets/theme_style.h"
+#include "widgets/controls/optional_number_edit.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QEvent>
 #include <QFormLayout>

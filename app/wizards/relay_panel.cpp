@@ -1,18 +1,18 @@
 #include "app/wizards/relay_panel.h"
 
-#include "app/batch/relay_document.h"
-#include "app/procedures/frequency_board.h"
-#include "app/procedures/relay_plan.h"
-#include "app/report/frequency_figures.h"
+#include "app/documents/relay_document.h"
+#include "app/figures/frequency_figures.h"
+#include "app/procedures/frequency/frequency_board.h"
+#include "app/procedures/relay/relay_plan.h"
 #include "app/wizards/frequency_words.h"
 #include "app/wizards/identify_words.h"
 #include "app/wizards/relay_form.h"
 #include "app/wizards/relay_words.h"
 #include "app/wizards/result_words.h"
 #include "app/wizards/words_and_pictures.h"
-#include "widgets/estimate_table.h"
-#include "widgets/figure_view.h"
-#include "widgets/icons.h"
+#include "widgets/controls/estimate_table.h"
+#include "widgets/figure/figure_view.h"
+#include "widgets/theme/icons.h"
 
 #include <QLabel>
 #include <QPushButton>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/procedures/relay_procedure.h"
+#include "app/procedures/relay/relay_procedure.h"
 #include "app/wizards/excitation_panel.h"
 
 class QPushButton;

@@ -2,9 +2,9 @@
 
 #include "control/base/unit_text.h"
 #include "control/base/units.h"
-#include "widgets/display_units.h"
-#include "widgets/progress_row.h"
-#include "widgets/unbroken.h"
+#include "widgets/controls/progress_row.h"
+#include "widgets/language/display_units.h"
+#include "widgets/language/unbroken.h"
 
 #include <QCoreApplication>
 #include <QStringList>

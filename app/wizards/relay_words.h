@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/procedures/relay_procedure.h"
-#include "widgets/estimate_table.h"
+#include "app/procedures/relay/relay_procedure.h"
+#include "widgets/controls/estimate_table.h"
 
 #include <QString>
 

@@ -1,9 +1,9 @@
 #include "app/wizards/result_words.h"
 
 #include "app/wizards/identify_words.h"
-#include "widgets/estimate_table.h"
-#include "widgets/theme_style.h"
-#include "widgets/verdict_view.h"
+#include "widgets/controls/estimate_table.h"
+#include "widgets/controls/verdict_view.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QLabel>
 #include <QVBoxLayout>

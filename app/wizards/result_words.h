@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/batch/result_header.h"
+#include "app/documents/result_header.h"
 
 #include <QWidget>
 

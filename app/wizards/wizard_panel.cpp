@@ -1,13 +1,13 @@
 #include "app/wizards/wizard_panel.h"
 
-#include "app/batch/numbers.h"
-#include "app/workspaces/departure_words.h"
-#include "app/workspaces/document_files.h"
-#include "app/workspaces/pace_row.h"
-#include "widgets/message_bar.h"
-#include "widgets/phrasebook.h"
-#include "widgets/step_list.h"
-#include "widgets/theme_style.h"
+#include "app/documents/text/numbers.h"
+#include "app/workbench/departure_words.h"
+#include "app/workbench/document_files.h"
+#include "app/workspaces/device/pace_row.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/step_list.h"
+#include "widgets/language/phrasebook.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

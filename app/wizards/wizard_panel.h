@@ -1,10 +1,10 @@
 #pragma once
 
-#include "app/batch/json_value.h"
-#include "app/batch/result_header.h"
-#include "app/workspaces/file_chooser.h"
-#include "app/workspaces/file_queue.h"
-#include "app/workspaces/workbench.h"
+#include "app/documents/result_header.h"
+#include "app/documents/text/json_value.h"
+#include "app/workbench/file_chooser.h"
+#include "app/workbench/file_queue.h"
+#include "app/workbench/workbench.h"
 
 #include <QPointer>
 #include <QWidget>

@@ -1,7 +1,7 @@
 #include "app/wizards/words_and_pictures.h"
 
-#include "widgets/estimate_table.h"
-#include "widgets/theme_style.h"
+#include "widgets/controls/estimate_table.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QScrollArea>
 #include <QStyle>

@@ -44,7 +44,7 @@ struct FetchedPart {
     bool isDropped = false;              ///< it was not read, because too much was asked for after it
 };
 
-/// A place outside of memory for what is rarely needed (devices/acquisition/page_file.h: a file). Belongs to
+/// A place outside of memory for what is rarely needed (devices/history/page_file.h: a file). Belongs to
 /// the thread that puts; what it does on others is its own affair.
 class PageStore {
 public:

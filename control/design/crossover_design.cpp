@@ -2,7 +2,7 @@
 
 #include "control/analysis/margins.h"
 #include "control/base/units.h"
-#include "control/design/shaped_delta.h"
+#include "control/law/shaped_delta.h"
 
 #include <algorithm>
 #include <cmath>

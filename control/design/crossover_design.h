@@ -1,8 +1,8 @@
 #pragma once
 
 #include "control/base/result.h"
-#include "control/design/position_loop.h"
-#include "control/design/shaped_law.h"
+#include "control/law/position_loop.h"
+#include "control/law/shaped_law.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
-#include "control/design/position_loop.h"
+#include "control/law/position_loop.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 #include "control/design/optimal_designs.h"
 
 #include "control/design/proven_design.h"
-#include "control/design/riccati.h"
 #include "control/lti/discretize.h"
+#include "control/lti/riccati.h"
 
 #include <cmath>
 

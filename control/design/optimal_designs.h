@@ -1,8 +1,8 @@
 #pragma once
 
+#include "control/assess/proof.h"
 #include "control/base/result.h"
 #include "control/design/design_methods.h"
-#include "control/design/proof.h"
 
 #include <optional>
 #include <string_view>

@@ -1,7 +1,7 @@
 #include "control/design/rule_designs.h"
 
 #include "control/base/units.h"
-#include "control/design/board_gains.h"
+#include "control/law/board_gains.h"
 
 #include <fmt/format.h>
 

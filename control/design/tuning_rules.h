@@ -1,8 +1,8 @@
 #pragma once
 
 #include "control/base/result.h"
-#include "control/design/pid.h"
-#include "control/design/position_loop.h"
+#include "control/law/pid.h"
+#include "control/law/position_loop.h"
 #include "control/lti/transfer_function.h"
 
 namespace halbench::control {

@@ -1,7 +1,7 @@
 #include "devices/acquisition/derived_signals.h"
 
 #include "devices/acquisition/expression.h"
-#include "devices/acquisition/recording_csv.h"
+#include "devices/recording/recording_csv.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 
 #include "control/base/result.h"
 #include "devices/firmware/htm/hb_htm.h"
-#include "models/plants/htm_plant.h"
+#include "models/htm/htm_plant.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "devices/device_uri.h"
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 #include "devices/simulated/simulated_board.h"
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace halbench::devices {
 
-/// What `sim:htm?KEY=VALUE&...` asks for. Keys: those of models/plants/htm_parameters.h and `seed`,
+/// What `sim:htm?KEY=VALUE&...` asks for. Keys: those of models/htm/htm_parameters.h and `seed`,
 /// `imperfections` (on, off), `chain` (full, ideal); written values win over the sets, in any order.
 /// Source: resources/help/command-line.md.
 struct SimulatedSetup {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/plants/htm_ideal_loop.h"
+#include "models/htm/htm_ideal_loop.h"
 
 #include <span>
 #include <vector>

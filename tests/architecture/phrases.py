@@ -1,5 +1,5 @@
 """What the layers below Qt say to people, so that the window can say it in the user's language: every text with words
-in it is taken from the sources and kept, with {} for what is filled in, in widgets/phrases_*.cpp, where lupdate finds
+in it is taken from the sources and kept, with {} for what is filled in, in widgets/language/phrases_*.cpp, where lupdate finds
 it. The tables have to be what the sources say, and the window has to look up what it shows.
 
 usage: phrases.py ROOT [--write]   (--write brings the tables up to date; then lupdate and the translators are due)
@@ -16,26 +16,26 @@ TABLES = {
     "lines": ("devices/transport/", "devices/xcp/"),
     "devices": ("models/", "devices/"),
     "procedures": ("app/procedures/", "app/session/"),
-    "files": ("app/batch/config_node.cpp", "app/batch/frequency_file.cpp", "app/batch/gains_judgement.cpp", "app/batch/configuration_", "app/batch/identification_file.cpp", "app/batch/import_documents.cpp", "app/batch/json_parser.cpp",
-              "app/batch/json_value.cpp", "app/batch/model_file.cpp", "app/batch/output_file.cpp",
-              "app/batch/presets.cpp", "app/batch/recording_list.cpp", "app/batch/recording_name.cpp",
-              "app/batch/recording_retention.cpp", "app/batch/sidecar_change.cpp", "app/batch/result_header.cpp", "app/batch/run_comparison.cpp",
-              "app/batch/toml_reader.cpp", "app/batch/what_if_report.cpp", "app/window/project_", "app/workspaces/",
-              "app/wizards/", "widgets/figure_file.cpp", "widgets/figure_view.cpp"),
+    "files": ("app/documents/text/config_node.cpp", "app/documents/frequency_file.cpp", "app/tuning/gains_judgement.cpp", "app/documents/configuration_", "app/documents/identification_file.cpp", "app/documents/import_documents.cpp", "app/documents/text/json_parser.cpp",
+              "app/documents/text/json_value.cpp", "app/documents/model_file.cpp", "app/documents/text/output_file.cpp",
+              "app/documents/presets.cpp", "app/recordings/recording_list.cpp", "app/recordings/recording_name.cpp",
+              "app/recordings/recording_retention.cpp", "app/recordings/sidecar_change.cpp", "app/documents/result_header.cpp", "app/recordings/run_comparison.cpp",
+              "app/documents/text/toml_reader.cpp", "app/tuning/what_if_report.cpp", "app/window/project/project_", "app/workbench/", "app/workspaces/",
+              "app/wizards/", "widgets/figure/figure_file.cpp", "widgets/figure/figure_view.cpp"),
 }
 # what of these folders no window shows: command line only, or no sentence but a word of a file format
 NEVER_SHOWN = (
-    "control/base/assert.cpp", "control/base/result.h", "devices/firmware/", "devices/serve_device.cpp",
+    "control/base/assert.cpp", "control/base/result.h", "devices/firmware/", "devices/open/serve_device.cpp",
     "devices/transport/pty_server.cpp", "devices/xcp/a2l_interface.cpp", "devices/xcp/a2l_parser.",
-    "app/procedures/amplifier_analysis.cpp", "app/procedures/motor_analysis.cpp",
-    "app/procedures/motor_geometry_analysis.cpp")
+    "app/actuators/htm/amplifier_analysis.cpp", "app/actuators/htm/motor_analysis.cpp",
+    "app/actuators/htm/motor_geometry_analysis.cpp")
 # words of a notation
 NO_SENTENCES = {"give them: --ran GAINS.json", "recorded move", "the same move with these gains", "{} Hz", "zeta, omega-rad-s", "ultimate-gain, ultimate-period", "phase-margin-deg, omega-rad-s", "max-sensitivity, current-limit-a, step-deg", "{}, seed, imperfections, chain",
                 "value = {}", "--set {}", "ended by {}", "in use",
                 "--rate_Hz F", "--time {}", "--unit {}={}", "--separator '{}'", "{}--decimal {}", "--header {}", "CR LF",
                 "{}, from {}", ", byte order mark", "{} column{}:"}
 # of these only texts with something filled in are messages; the others are help of the command line
-ONLY_FILLED_IN = ("models/plants/htm_parameters.cpp", "app/procedures/move_reference.cpp")
+ONLY_FILLED_IN = ("models/htm/htm_parameters.cpp", "app/procedures/excite/move_reference.cpp")
 
 TOKEN = re.compile(r'R"([^(\s]*)\((.*?)\)\1"|//[^\n]*|/\*.*?\*/|^[ \t]*#[^\n]*|\'(?:[^\'\\\n]|\\.){1,4}\''
                    r'|"((?:[^"\\\n]|\\.)*)"', re.S | re.M)
@@ -92,7 +92,7 @@ def phrases(files, folders):
 def table(name, words):
     lines = [f'    QT_TRANSLATE_NOOP("Phrases", "{each}"),' for each in words]
     return "\n".join(["// Written by tests/architecture/phrases.py --write from the sources: not for editing.",
-                      '#include "widgets/phrases.h"', "", "#include <QtGlobal>", "", "namespace halbench::widgets {",
+                      '#include "widgets/language/phrases.h"', "", "#include <QtGlobal>", "", "namespace halbench::widgets {",
                       "", "// clang-format off", "namespace {", "", "constexpr const char* Table[] = {", *lines, "};", "",
                       "} // namespace", "// clang-format on", "",
                       f"std::span<const char* const> phrasesOf{name.capitalize()}() {{", "    return Table;", "}", "",
@@ -104,7 +104,7 @@ def tables(files):
     for name, folders in TABLES.items():
         words = [each for each in phrases(files, folders) if each not in seen]
         seen.update(dict.fromkeys(words))
-        yield f"widgets/phrases_{name}.cpp", table(name, words)
+        yield f"widgets/language/phrases_{name}.cpp", table(name, words)
 
 
 UNSAID = re.compile(r"fromStdString\((?:[^()]|\(\))*?(\.|->)(message|hint|faultText|help)\)")

@@ -10,33 +10,45 @@ DEVICE_ONLY = ["control/", EVERY_DEVICE_HEADER]
 # The same as the table of resources/help/architecture.md, section 1.
 HOUSE = {
     "control/base": (["control/base/"], []),
-    "control/lti": (["control/base/", "control/lti/"], []),
-    "control/analysis": (["control/base/", "control/lti/", "control/analysis/"], []),
-    "control/design": (["control/(base|lti|analysis|design)/"], []),
-    "control/signals": (["control/base/", "control/signals/"], []),
-    "control/identify": (["control/(base|lti|signals|identify)/"], []),
+    "control/lti": (["control/(base|lti)/"], []),
+    "control/analysis": (["control/(base|lti|analysis)/"], []),
+    "control/signals": (["control/(base|signals)/"], []),
+    "control/history": (["control/(base|signals|history)/"], []),
+    "control/identify": (["control/(base|identify)/"], []),
+    "control/law": (["control/(base|lti|analysis|law)/"], []),
+    "control/assess": (["control/(base|lti|analysis|law|assess|robustness)/"], []),
+    "control/robustness": (["control/(base|lti|analysis|law|assess|robustness)/"], []),
+    "control/design": (["control/(base|lti|analysis|law|assess|design)/"], []),
     "models/fields": (["control/base/", "models/fields/"], []),
-    "models/plants": (["control/", "models/(plants|fields|sensors|drives|thermal)/"], []),
     "models/sensors": (["control/base/", "models/sensors/"], []),
     "models/drives": (["control/base/", "models/drives/"], []),
-    "models/thermal": (["control/base/", "models/thermal/"], []),
-    "models/estimators": (["control/", "models/fields/", "models/estimators/"], []),
+    "models/thermal": (["models/thermal/"], []),
+    "models/estimators": (["control/base/", "models/(fields|estimators)/"], []),
+    "models": (["control/", "models/"], []),
     "devices/firmware": (["devices/firmware/"], []),
     "devices/transport": (["control/base/", "devices/transport/"], ["QtCore", "QtSerialPort"]),
     "devices/xcp": (["control/base/", "devices/xcp/", "devices/transport/transport.h", EVERY_DEVICE_HEADER], []),
     "devices/simulated": (["control/", "models/", "devices/"], []),
-    "devices/acquisition": (["control/base/", "devices/acquisition/", EVERY_DEVICE_HEADER], ["QtCore"]),
+    "devices/recording": (["control/base/", "devices/recording/", EVERY_DEVICE_HEADER], ["QtCore"]),
+    "devices/acquisition": (["control/base/", "devices/(acquisition|recording)/", EVERY_DEVICE_HEADER], ["QtCore"]),
+    "devices/formats": (["control/base/", "devices/(acquisition|formats|recording)/", EVERY_DEVICE_HEADER], ["QtCore"]),
+    "devices/history": (["control/base/", "devices/history/", EVERY_DEVICE_HEADER], ["QtCore"]),
     "devices": (["control/base/", "devices/"], ["QtCore"]),
-    "app/procedures": (["control/", "models/", "devices/acquisition/", EVERY_DEVICE_HEADER, "app/procedures/"],
-                       ["QtCore"]),
-    "app/session": (["control/", "devices/acquisition/", EVERY_DEVICE_HEADER, "app/procedures/", "app/session/"],
-                    ["QtCore"]),
-    "app/batch": (["control/", "models/", "devices/", "app/procedures/", "app/report/", "app/batch/"], ["QtCore"]),
-    "app/report": (["control/", "models/", EVERY_DEVICE_HEADER, "app/procedures/", "app/report/", "widgets/"],
-                   ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
+    "app/actuators": (["control/", "models/", "devices/simulated/", EVERY_DEVICE_HEADER, "app/procedures/", "app/actuators/"],
+                      ["QtCore"]),
+    "app/procedures": (["control/", "models/", "devices/acquisition/", "devices/recording/", EVERY_DEVICE_HEADER,
+                        "app/procedures/"], ["QtCore"]),
+    "app/session": (["control/", "devices/(acquisition|open|recording)/", EVERY_DEVICE_HEADER, "app/procedures/",
+                     "app/session/"], ["QtCore"]),
+    "app/figures": (["control/", EVERY_DEVICE_HEADER, "app/procedures/", "app/figures/", "widgets/"],
+                    ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
+    "app/report": (["control/", "models/", EVERY_DEVICE_HEADER, "app/procedures/", "app/actuators/", "app/figures/",
+                    "app/report/", "widgets/"], ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
     "widgets": (["control/", "models/", "widgets/"], ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
     "app": (["control/", "models/", "devices/", "app/", "widgets/"], ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
-}
+} | {f"app/{folder}": (["control/", "models/", "devices/", "app/(procedures|actuators|figures|report)/",
+                        "app/(cli|documents|experiments|headless|recordings|tuning)/"], ["QtCore"])
+     for folder in ("cli", "documents", "experiments", "headless", "recordings", "tuning")}
 C_HEADERS = {"stdint.h", "stddef.h", "string.h", "math.h", "stdbool.h", "limits.h", "float.h"}
 
 
@@ -111,7 +123,7 @@ def function_sizes(files):
 # pattern in code (comments and strings do not count), where it is allowed, message
 FORBIDDEN = (
     (r"\bconnect\s*\([^;]*\b(SIGNAL|SLOT)\s*\(", (), "connect with pointers to members"),
-    (r"\bsetStyleSheet\s*\(", ("widgets/theme",), "setStyleSheet only in the theme"),
+    (r"\bsetStyleSheet\s*\(", ("widgets/theme/theme",), "setStyleSheet only in the theme"),
     (r"\bQFileDialog::(get\w+|save\w+)\s*\(", (), "file dialogs carry a STOP: app/window/file_dialogs"),
     (r"\bsleep_for\b|\bsleep_until\b|\busleep\s*\(|\bnanosleep\s*\(|\bQThread::m?sleep", ("devices/transport/",
      "devices/simulated/loopback_transport", "tests/devices/firmware/avr/simavr/avr_line"), "no sleeping: time is the Clock's"),   # wall-clock pacing
@@ -119,17 +131,17 @@ FORBIDDEN = (
     (r"\bstd::(normal|uniform_\w+|exponential)_distribution\b|\bstd::random_device\b|\bstd::mt19937|\bs?rand\s*\(\s*\)",
      (), "random numbers come from control/base/random.h"),
     (r"\bsystem_clock\b|\bQDateTime::currentDateTime|\bstd::time\s*\(|\bgettimeofday\b",
-     ("app/batch/result_header", "app/workspaces/wall_clock"), "no wall time in results"),   # `started` of a real device
+     ("app/documents/result_header", "app/workbench/wall_clock"), "no wall time in results"),   # `started` of a real device
     (r"\bstd::(views|ranges::views|format)\b", (), "not in GCC 12 and clang 14 alike"),
     (r"\busing\s+namespace\s+(?!std::(string_view_)?literals|std::chrono_literals)[\w:]*;.*$", (".cpp", ),
      "no using namespace in a header"),
     (r"\bassert\s*\(", ("devices/firmware/",), "HB_ASSERT is always on"),
     (r"\b(?:QLocale\(\)|QLocale::c\(\)|locale)\.toString\s*\((?![^;]*(?:Format|\.time\(\)))",
-     ("widgets/display_units.cpp", "widgets/figure_axis.cpp",   # the report's numbers too
-      "app/session/", "tests/"), "numbers on the screen are written by widgets/display_units"),   # QtCore alone
+     ("widgets/language/display_units.cpp", "widgets/figure/figure_axis.cpp",   # the report's numbers too
+      "app/session/", "tests/"), "numbers on the screen are written by widgets/language/display_units"),   # QtCore alone
     (r"\bsetlocale\s*\([^)]*\"\"|\bstd::locale\s*\(\s*\"\"", (), "numbers are written in the C locale"),
     (r"\bstatic\s+(?!const|constexpr|inline|_Static|cast)\w[\w:<>]*\s+\w+\s*(=|;)", ("tests/",
-     "widgets/offscreen_application",   # QApplication keeps its argc by reference
+     "widgets/figure/offscreen_application",   # QApplication keeps its argc by reference
      "devices/firmware/boards/"), "no globals or hidden state"),   # an interrupt handler has no argument
 )
 
@@ -185,7 +197,7 @@ def cites_only_what_is_here(files):
 
 
 # Run as a whole by the program tests, not linked into a unit test.
-TESTED_BY_THE_PROGRAM = ("app/batch/program", "app/batch/command", "app/batch/interrupt", "app/batch/console",
+TESTED_BY_THE_PROGRAM = ("app/cli/program", "app/cli/command", "app/headless/command", "app/headless/interrupt", "app/headless/console",
                          "app/main.cpp")
 
 
@@ -224,19 +236,19 @@ def own_includes(files, path):
 
 # What moves the motor or judges it is asked for as a whole; a panel that took parts of it would give other numbers than
 # the batch program.
-PANELS = ("app/window/", "app/wizards/", "app/workspaces/")
+PANELS = ("app/window/", "app/wizards/", "app/workbench/", "app/workspaces/")
 PROCEDURES = ("runIdentify", "runFrequency", "runRelay", "runCalibrate", "runApply", "runLiveApply", "runTune",
               "runAnalysis")
 PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
-    "procedure", "identify_procedure", "identify_plan", "frequency_procedure", "frequency_plan", "frequency_board",
-    "relay_procedure", "relay_plan",
-    "coil_forecast", "measured_loop", "calibrate_procedure", "apply_procedure", "tune", "loop_verdict", "move_reference",
-    "ellipse_shape",
-    "loop_uncertainty",  # the motors that runTune draws, for the pictures
-    "disturbance",  # a prediction, as the step of runAnalysis
-    "live_apply_procedure", "what_if",
-    "coil_watch",  # temperatures are read: nothing moves
-    "capture_orders")}  # the board captures: nothing moves, nothing is judged
+    "base/procedure", "identify/identify_procedure", "identify/identify_plan", "frequency/frequency_procedure",
+    "frequency/frequency_plan", "frequency/frequency_board", "relay/relay_procedure", "relay/relay_plan",
+    "base/coil_forecast", "frequency/measured_loop", "calibrate/calibrate_procedure", "apply/apply_procedure",
+    "tune/tune", "tune/loop_verdict", "excite/move_reference", "calibrate/ellipse_shape",
+    "tune/loop_uncertainty",  # the motors that runTune draws, for the pictures
+    "tune/disturbance",  # a prediction, as the step of runAnalysis
+    "apply/live_apply_procedure", "move/what_if",
+    "base/coil_watch",  # temperatures are read: nothing moves
+    "record/capture_orders")}  # the board captures: nothing moves, nothing is judged
 FITS = r"control/identify/|models/estimators/"
 PARTS_OF_PROCEDURES = r"\b(run(?!Procedure\b|Step\b|Window\b)[A-Z]\w*|identifyRecording|performMove)\s*\("
 

@@ -1,6 +1,6 @@
 // What a fast board costs over USB bulk endpoints, with the real libusb, on a bus that umockdev plays: 32
 // signals at 20 kHz in transfers of 4 kB and more, and how soon a stop reaches the board at full stream.
-#include "devices/port_address.h"
+#include "devices/open/port_address.h"
 #include "devices/transport/message_stream.h"
 #include "devices/xcp/xcp_device.h"
 #include "tests/bench/stream_rig.h"

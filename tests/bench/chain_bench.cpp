@@ -1,5 +1,5 @@
 // The whole chain in virtual time: motor, sensing, board, XCP over loopback, streaming into memory.
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 #include "tests/bench/goal.h"
 
 #include <cmath>

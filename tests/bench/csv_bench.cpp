@@ -1,7 +1,7 @@
 // Writing and reading recordings against what everybody writes first (fprintf, strtod) and, with --peers,
 // against pandas on the same table in the same run.
 #include "control/base/random.h"
-#include "devices/acquisition/recording_csv.h"
+#include "devices/recording/recording_csv.h"
 #include "tests/bench/goal.h"
 
 #include <benchmark/benchmark.h>

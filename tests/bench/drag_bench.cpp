@@ -1,14 +1,14 @@
 // From the hand's move to the painted window: the whole Tune panel of a window, driven by mouse events, with
 // the worker, everything that is drawn beside the proposed loop, and a thousand motors of uncertainty.
-#include "app/batch/json_value.h"
-#include "app/batch/model_file.h"
-#include "app/batch/result_documents.h"
-#include "app/workspaces/loop_view.h"
-#include "app/workspaces/tune_panel.h"
+#include "app/documents/model_file.h"
+#include "app/documents/result_documents.h"
+#include "app/documents/text/json_value.h"
+#include "app/workspaces/tune/loop_view.h"
+#include "app/workspaces/tune/tune_panel.h"
 #include "tests/app/workspaces/published_motor.h"
 #include "tests/bench/goal.h"
-#include "widgets/figure_view.h"
-#include "widgets/offscreen_application.h"
+#include "widgets/figure/figure_view.h"
+#include "widgets/figure/offscreen_application.h"
 
 #include <QApplication>
 #include <QMouseEvent>

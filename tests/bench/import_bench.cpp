@@ -1,7 +1,7 @@
 // Reading another program's table against the reader that everybody writes first: getline and strtod. What
 // pandas takes for the same is measured by `./dev bench --peers`.
 #include "control/base/random.h"
-#include "devices/acquisition/csv_import.h"
+#include "devices/formats/csv_import.h"
 #include "tests/bench/goal.h"
 
 #include <benchmark/benchmark.h>

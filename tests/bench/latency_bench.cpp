@@ -2,8 +2,8 @@
 // connection hands them over, drawn 30 times a second.
 #include "devices/acquisition/display_inbox.h"
 #include "tests/bench/goal.h"
-#include "tests/control/signals/history_blocks.h"
-#include "widgets/live_plot_stack.h"
+#include "tests/control/history/history_blocks.h"
+#include "widgets/live_plot/live_plot_stack.h"
 
 #include <QApplication>
 #include <QEvent>

@@ -1,12 +1,12 @@
 // The numeric core against the plainest code that gives the same numbers.
 #include "control/base/random.h"
 #include "control/design/design_methods.h"
-#include "control/design/robustness.h"
 #include "control/lti/discretize.h"
 #include "control/lti/frequency_response.h"
 #include "control/lti/responses.h"
 #include "control/lti/state_response.h"
 #include "control/lti/zero_pole_gain.h"
+#include "control/robustness/robustness.h"
 #include "tests/bench/goal.h"
 
 #include <benchmark/benchmark.h>

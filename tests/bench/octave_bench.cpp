@@ -1,7 +1,7 @@
 // Margins, step, discretisation and simulation against Octave's control package in one process, with the same
 // results: `./dev bench --peers`. By processor time, each side's own.
 #include "control/analysis/margins.h"
-#include "control/design/position_loop.h"
+#include "control/law/position_loop.h"
 #include "control/lti/discretize.h"
 #include "control/lti/responses.h"
 #include "tests/bench/goal.h"

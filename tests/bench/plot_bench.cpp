@@ -1,12 +1,12 @@
 // A frame of live plots against plain Qwt curves with the same samples, drawn into the same kind of widget.
 #include "control/base/random.h"
 #include "control/base/units.h"
-#include "devices/acquisition/page_file.h"
+#include "devices/history/page_file.h"
 #include "tests/bench/goal.h"
-#include "tests/control/signals/history_blocks.h"
-#include "widgets/figure_file.h"
-#include "widgets/live_plot_stack.h"
-#include "widgets/offscreen_application.h"
+#include "tests/control/history/history_blocks.h"
+#include "widgets/figure/figure_file.h"
+#include "widgets/figure/offscreen_application.h"
+#include "widgets/live_plot/live_plot_stack.h"
 
 #include <QApplication>
 #include <QTemporaryDir>

@@ -4,9 +4,9 @@
 #include "control/base/random.h"
 #include "control/base/units.h"
 #include "tests/bench/goal.h"
-#include "tests/control/signals/history_blocks.h"
-#include "widgets/live_plot_stack.h"
-#include "widgets/offscreen_application.h"
+#include "tests/control/history/history_blocks.h"
+#include "widgets/figure/offscreen_application.h"
+#include "widgets/live_plot/live_plot_stack.h"
 
 #include <QApplication>
 #include <QtCharts/QChartView>

@@ -1,10 +1,10 @@
 // The rotor's picture against the frame it has to fit in beside the plots.
 #include "control/base/units.h"
 #include "tests/bench/goal.h"
-#include "widgets/offscreen_application.h"
-#include "widgets/rotor_field_lines.h"
-#include "widgets/rotor_view.h"
-#include "widgets/theme_style.h"
+#include "widgets/actuators/htm/rotor_field_lines.h"
+#include "widgets/actuators/htm/rotor_view.h"
+#include "widgets/figure/offscreen_application.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QApplication>
 #include <QImage>

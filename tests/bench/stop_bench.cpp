@@ -1,12 +1,12 @@
 // How soon the board commands no current after Esc was pressed, in real time, whatever the window is busy
 // with.
-#include "app/procedures/identify_procedure.h"
+#include "app/procedures/identify/identify_procedure.h"
 #include "app/session/recorder.h"
-#include "app/window/dock_layout.h"
+#include "app/window/docks/dock_layout.h"
 #include "app/window/window_application.h"
-#include "app/workspaces/monitor_panel.h"
-#include "devices/acquisition/recording_writer.h"
-#include "devices/open_device.h"
+#include "app/workspaces/monitor/monitor_panel.h"
+#include "devices/open/open_device.h"
+#include "devices/recording/recording_writer.h"
 #include "tests/bench/goal.h"
 #include "tests/bench/window_rig.h"
 

@@ -1,14 +1,14 @@
 // What the Tune panel does between two places of the hand: gains, predictions, a thousand motors, pictures.
-#include "app/procedures/large_step.h"
-#include "app/report/tuning_figures.h"
-#include "app/workspaces/loop_view.h"
-#include "app/workspaces/tune_question.h"
+#include "app/figures/tuning_figures.h"
+#include "app/procedures/tune/large_step.h"
+#include "app/workspaces/tune/loop_view.h"
+#include "app/workspaces/tune/tune_question.h"
 #include "control/base/units.h"
 #include "control/design/crossover_design.h"
 #include "control/design/design_methods.h"
-#include "control/design/robustness.h"
+#include "control/robustness/robustness.h"
 #include "tests/bench/goal.h"
-#include "widgets/figure_view.h"
+#include "widgets/figure/figure_view.h"
 
 #include <QApplication>
 #include <QImage>

@@ -1,5 +1,5 @@
 #include "devices/device_uri.h"
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Configuration files: any text; what is accepted comes back as it was written.
-#include "app/batch/configuration_file.h"
+#include "app/documents/configuration_file.h"
 
 using namespace halbench::app;
 

@@ -1,5 +1,5 @@
 // Recordings: any text. What was read must come back the same after writing.
-#include "devices/acquisition/recording_csv.h"
+#include "devices/recording/recording_csv.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Experiment files: any text; what is accepted must survive being turned into configurations.
-#include "app/batch/step_configs.h"
+#include "app/experiments/step_configs.h"
 
 using namespace halbench::app;
 

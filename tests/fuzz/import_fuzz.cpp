@@ -1,6 +1,6 @@
 // Tables of other programs: any text. What is read must be read the same once it is our own recording.
-#include "devices/acquisition/csv_import.h"
-#include "devices/acquisition/recording_csv.h"
+#include "devices/formats/csv_import.h"
+#include "devices/recording/recording_csv.h"
 
 #include <cmath>
 #include <cstdint>

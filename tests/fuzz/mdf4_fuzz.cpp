@@ -1,6 +1,6 @@
 // MDF4 recordings: any octets. What was read must come back the same after writing.
-#include "devices/acquisition/mdf4_reader.h"
-#include "devices/acquisition/mdf4_writer.h"
+#include "devices/formats/mdf4_reader.h"
+#include "devices/formats/mdf4_writer.h"
 
 #include <QtCore/QBuffer>
 

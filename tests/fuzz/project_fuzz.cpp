@@ -1,8 +1,8 @@
 // Project files and the documents in them: any text; what is accepted comes back as it was written.
-#include "app/batch/calibration_file.h"
-#include "app/batch/identification_file.h"
-#include "app/batch/model_file.h"
-#include "app/window/project_file.h"
+#include "app/documents/calibration_file.h"
+#include "app/documents/identification_file.h"
+#include "app/documents/model_file.h"
+#include "app/window/project/project_file.h"
 
 using namespace halbench::app;
 

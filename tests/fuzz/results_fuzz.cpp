@@ -1,5 +1,5 @@
 // MODEL.json and GAINS.json: any text.
-#include "app/batch/model_file.h"
+#include "app/documents/model_file.h"
 
 using namespace halbench::app;
 

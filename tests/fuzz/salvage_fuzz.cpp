@@ -1,6 +1,6 @@
 // Interrupted recordings: the text of one, a zero, and the journal of its checksums. What comes back has
 // times that increase, and what was left out was there.
-#include "devices/acquisition/recording_salvage.h"
+#include "devices/recording/recording_salvage.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Sidecars of recordings: any text. What was read must come back the same after writing.
-#include "devices/acquisition/recording_meta.h"
+#include "devices/recording/recording_meta.h"
 
 using namespace halbench;
 using namespace halbench::devices;

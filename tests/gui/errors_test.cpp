@@ -1,12 +1,12 @@
-#include "app/window/dock_layout.h"
-#include "app/window/language.h"
+#include "app/window/docks/dock_layout.h"
+#include "app/window/preferences/language.h"
 #include "app/wizards/identify_panel.h"
-#include "app/workspaces/device_panel.h"
-#include "app/workspaces/drive_control.h"
+#include "app/workbench/drive_control.h"
+#include "app/workspaces/device/device_panel.h"
 #include "tests/app/window/window_test.h"
 #include "tests/gui/inspection.h"
-#include "widgets/message_bar.h"
-#include "widgets/optional_number_edit.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/optional_number_edit.h"
 
 #include <QDoubleSpinBox>
 #include <QFile>

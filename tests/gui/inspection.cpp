@@ -4,7 +4,7 @@
 #include "tests/gui/seen_words.h"
 #include "tests/gui/word_contrast.h"
 #include "tests/gui/word_room.h"
-#include "widgets/theme_style.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>

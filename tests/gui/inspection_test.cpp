@@ -1,6 +1,6 @@
 #include "tests/gui/inspection.h"
-#include "widgets/elided_label.h"
-#include "widgets/whole_numbers.h"
+#include "widgets/controls/elided_label.h"
+#include "widgets/language/whole_numbers.h"
 
 #include <QAction>
 #include <QApplication>

@@ -1,7 +1,7 @@
 #include "tests/gui/needless_cuts.h"
 
-#include "widgets/elided_label.h"
-#include "widgets/whole_numbers.h"
+#include "widgets/controls/elided_label.h"
+#include "widgets/language/whole_numbers.h"
 
 #include <QHeaderView>
 #include <QTableView>

@@ -1,7 +1,7 @@
-#include "app/window/dock_layout.h"
-#include "app/window/language.h"
+#include "app/window/docks/dock_layout.h"
+#include "app/window/preferences/language.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/parameter_table_model.h"
+#include "widgets/parameters/parameter_table_model.h"
 
 #include <QHeaderView>
 #include <QTreeView>

@@ -1,6 +1,6 @@
 #include "tests/gui/word_contrast.h"
 
-#include "widgets/theme_style.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QFontMetrics>
 #include <QHash>

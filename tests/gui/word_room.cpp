@@ -1,6 +1,6 @@
 #include "tests/gui/word_room.h"
 
-#include "widgets/theme_style.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

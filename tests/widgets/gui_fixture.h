@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/offscreen_application.h"
-#include "widgets/theme_style.h"
+#include "widgets/figure/offscreen_application.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QApplication>
 

@@ -2,9 +2,9 @@
 
 #include "control/base/random.h"
 #include "control/base/units.h"
-#include "control/signals/sample_history.h"
-#include "tests/control/signals/history_blocks.h"
-#include "widgets/live_plot_spec.h"
+#include "control/history/sample_history.h"
+#include "tests/control/history/history_blocks.h"
+#include "widgets/live_plot/live_plot_spec.h"
 
 #include <cmath>
 

@@ -1,9 +1,9 @@
-#include "app/window/dock_layout.h"
+#include "app/window/docks/dock_layout.h"
 #include "app/window/main_window.h"
 #include "app/window/window_program.h"
 #include "tests/app/display/display.h"
 #include "tests/app/window/clipped_buttons.h"
-#include "widgets/stop_button.h"
+#include "widgets/controls/stop_button.h"
 
 #include <QApplication>
 #include <QScreen>

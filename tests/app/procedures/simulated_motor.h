@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/procedures/move_procedure.h"
-#include "app/procedures/position_law_parameters.h"
+#include "app/procedures/move/move_procedure.h"
+#include "app/procedures/tune/position_law_parameters.h"
 #include "control/base/units.h"
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 
 #include <gtest/gtest.h>
 

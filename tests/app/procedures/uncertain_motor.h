@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/procedures/analyse.h"
+#include "app/procedures/tune/analyse.h"
 
 #include <array>
 #include <cmath>

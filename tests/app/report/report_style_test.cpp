@@ -1,5 +1,5 @@
 #include "app/report/report_style.h"
-#include "widgets/theme.h"
+#include "widgets/theme/theme.h"
 
 #include <QRegularExpression>
 

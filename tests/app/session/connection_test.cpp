@@ -1,5 +1,5 @@
 #include "app/session/connection.h"
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "app/procedures/identify_procedure.h"
-#include "app/procedures/move_procedure.h"
+#include "app/procedures/identify/identify_procedure.h"
+#include "app/procedures/move/move_procedure.h"
 #include "app/session/device_session.h"
 
 #include <QtCore/QCoreApplication>

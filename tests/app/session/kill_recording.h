@@ -2,9 +2,9 @@
 
 #include "app/session/recorder.h"
 #include "control/base/random.h"
-#include "devices/acquisition/convert_recording.h"
-#include "devices/acquisition/recording_file.h"
-#include "devices/acquisition/recording_writer.h"
+#include "devices/formats/convert_recording.h"
+#include "devices/formats/recording_file.h"
+#include "devices/recording/recording_writer.h"
 
 #include <QtCore/QTemporaryDir>
 

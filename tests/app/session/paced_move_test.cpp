@@ -1,4 +1,4 @@
-#include "app/procedures/move_procedure.h"
+#include "app/procedures/move/move_procedure.h"
 #include "app/session/device_session.h"
 
 #include <QtCore/QCoreApplication>

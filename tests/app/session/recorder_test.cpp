@@ -1,5 +1,5 @@
 #include "app/session/recorder.h"
-#include "devices/acquisition/recording_file.h"
+#include "devices/formats/recording_file.h"
 #include "tests/small_disk.h"
 
 #include <QtCore/QDir>

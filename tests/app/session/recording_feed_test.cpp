@@ -1,5 +1,5 @@
 #include "app/session/recording_feed.h"
-#include "devices/acquisition/recording_file.h"
+#include "devices/formats/recording_file.h"
 
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>

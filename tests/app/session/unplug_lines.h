@@ -1,6 +1,6 @@
 #pragma once
 
-#include "devices/sxi_framing.h"
+#include "devices/open/sxi_framing.h"
 #include "devices/transport/pty_server.h"
 #include "devices/transport/tcp_server.h"
 #include "devices/transport/udp_server.h"

@@ -1,6 +1,6 @@
-#include "app/window/dock_layout.h"
+#include "app/window/docks/dock_layout.h"
 #include "app/window/focus_fallback.h"
-#include "app/workspaces/drive_control.h"
+#include "app/workbench/drive_control.h"
 #include "tests/app/window/window_test.h"
 
 #include <QAbstractButton>

@@ -1,14 +1,14 @@
-#include "app/procedures/move_procedure.h"
-#include "app/window/dock_layout.h"
-#include "app/window/help_window.h"
+#include "app/procedures/move/move_procedure.h"
+#include "app/window/docks/dock_layout.h"
+#include "app/window/docks/panels.h"
+#include "app/window/help/help_window.h"
 #include "app/window/main_window.h"
-#include "app/window/panels.h"
-#include "app/window/project_menu.h"
-#include "app/workspaces/device_panel.h"
-#include "app/workspaces/notes_panel.h"
+#include "app/window/project/project_menu.h"
+#include "app/workspaces/device/device_panel.h"
+#include "app/workspaces/device/notes_panel.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/message_bar.h"
-#include "widgets/stop_button.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/stop_button.h"
 
 #include <QDialog>
 #include <QFile>

@@ -1,6 +1,6 @@
-#include "app/workspaces/jog_row.h"
+#include "app/workspaces/drive/jog_row.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/stop_button.h"
+#include "widgets/controls/stop_button.h"
 
 #include <QPushButton>
 #include <QSignalSpy>

@@ -1,12 +1,12 @@
-#include "app/window/dock_layout.h"
+#include "app/window/docks/dock_layout.h"
 #include "app/window/file_dialogs.h"
 #include "app/window/task_flow.h"
-#include "app/workspaces/recordings_panel.h"
+#include "app/workspaces/recordings/recordings_panel.h"
 #include "tests/app/window/window_test.h"
 #include "tests/app/workspaces/published_motor.h"
-#include "widgets/message_bar.h"
-#include "widgets/optional_number_edit.h"
-#include "widgets/stop_button.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/optional_number_edit.h"
+#include "widgets/controls/stop_button.h"
 
 #include <QCheckBox>
 #include <QFileDialog>

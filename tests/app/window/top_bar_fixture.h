@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/window/help_pages.h"
-#include "app/window/help_window.h"
-#include "app/window/perspective_bar.h"
+#include "app/window/docks/perspective_bar.h"
+#include "app/window/help/help_pages.h"
+#include "app/window/help/help_window.h"
 #include "app/window/top_bar.h"
 #include "tests/app/window/window_test.h"
 

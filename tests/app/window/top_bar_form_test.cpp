@@ -1,7 +1,7 @@
 #include "app/window/connect_button.h"
 #include "app/window/record_button.h"
-#include "app/workspaces/arm_button.h"
-#include "app/workspaces/mode_box.h"
+#include "app/workspaces/drive/arm_button.h"
+#include "app/workspaces/drive/mode_box.h"
 #include "tests/app/window/top_bar_fixture.h"
 
 #include <algorithm>

@@ -1,15 +1,15 @@
 #include "app/window/connect_button.h"
-#include "app/window/dock_layout.h"
+#include "app/window/docks/dock_layout.h"
 #include "app/window/record_button.h"
-#include "app/workspaces/arm_button.h"
-#include "app/workspaces/drive_panel.h"
-#include "app/workspaces/mode_box.h"
-#include "app/workspaces/pace_row.h"
+#include "app/workspaces/device/pace_row.h"
+#include "app/workspaces/drive/arm_button.h"
+#include "app/workspaces/drive/drive_panel.h"
+#include "app/workspaces/drive/mode_box.h"
 #include "tests/app/window/top_bar_fixture.h"
 #include "tests/devices/transport/served_board.h"
-#include "widgets/message_bar.h"
-#include "widgets/status_strip.h"
-#include "widgets/stop_button.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/status_strip.h"
+#include "widgets/controls/stop_button.h"
 
 #include <QComboBox>
 #include <QLineEdit>

@@ -1,10 +1,10 @@
-#include "app/window/dock_layout.h"
+#include "app/window/docks/dock_layout.h"
 #include "app/window/window_program.h"
-#include "app/workspaces/device_panel.h"
-#include "app/workspaces/drive_control.h"
-#include "app/workspaces/notes_panel.h"
+#include "app/workbench/drive_control.h"
+#include "app/workspaces/device/device_panel.h"
+#include "app/workspaces/device/notes_panel.h"
 #include "tests/app/window/window_test.h"
-#include "widgets/message_bar.h"
+#include "widgets/controls/message_bar.h"
 
 #include <QDialog>
 #include <QDir>

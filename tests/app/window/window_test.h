@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/main_window.h"
-#include "widgets/theme_style.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QApplication>
 #include <QSettings>

@@ -1,12 +1,12 @@
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/calibrate_words.h"
-#include "app/workspaces/wall_clock.h"
+#include "app/workbench/wall_clock.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/panel_fixture.h"
-#include "widgets/display_units.h"
-#include "widgets/estimate_table.h"
-#include "widgets/figure_view.h"
-#include "widgets/message_bar.h"
+#include "widgets/controls/estimate_table.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/figure/figure_view.h"
+#include "widgets/language/display_units.h"
 
 #include <QCheckBox>
 #include <QFile>

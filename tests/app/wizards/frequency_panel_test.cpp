@@ -1,14 +1,14 @@
-#include "app/batch/frequency_file.h"
+#include "app/documents/frequency_file.h"
 #include "app/wizards/frequency_form.h"
 #include "app/wizards/frequency_panel.h"
 #include "app/wizards/frequency_result_view.h"
 #include "tests/app/workspaces/panel_fixture.h"
-#include "widgets/estimate_table.h"
-#include "widgets/figure_view.h"
-#include "widgets/message_bar.h"
-#include "widgets/optional_number_edit.h"
-#include "widgets/progress_row.h"
-#include "widgets/quantity_edit.h"
+#include "widgets/controls/estimate_table.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/optional_number_edit.h"
+#include "widgets/controls/progress_row.h"
+#include "widgets/controls/quantity_edit.h"
+#include "widgets/figure/figure_view.h"
 
 #include <QComboBox>
 #include <QFile>

@@ -1,4 +1,4 @@
-#include "app/procedures/frequency_board.h"
+#include "app/procedures/frequency/frequency_board.h"
 #include "app/wizards/frequency_words.h"
 #include "tests/widgets/gui_fixture.h"
 

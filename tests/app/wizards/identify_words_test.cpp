@@ -1,5 +1,5 @@
 #include "app/wizards/identify_words.h"
-#include "app/workspaces/wall_clock.h"
+#include "app/workbench/wall_clock.h"
 
 #include <gtest/gtest.h>
 

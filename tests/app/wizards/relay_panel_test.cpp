@@ -1,11 +1,11 @@
-#include "app/batch/relay_document.h"
+#include "app/documents/relay_document.h"
 #include "app/wizards/relay_form.h"
 #include "app/wizards/relay_panel.h"
 #include "tests/app/workspaces/panel_fixture.h"
-#include "widgets/estimate_table.h"
-#include "widgets/figure_view.h"
-#include "widgets/message_bar.h"
-#include "widgets/optional_number_edit.h"
+#include "widgets/controls/estimate_table.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/optional_number_edit.h"
+#include "widgets/figure/figure_view.h"
 
 #include <QFile>
 #include <QLabel>

@@ -1,6 +1,6 @@
 #include "app/wizards/result_words.h"
 #include "tests/widgets/gui_fixture.h"
-#include "widgets/estimate_table.h"
+#include "widgets/controls/estimate_table.h"
 
 #include <QLabel>
 

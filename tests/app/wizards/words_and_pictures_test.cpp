@@ -1,6 +1,6 @@
 #include "app/wizards/words_and_pictures.h"
 #include "tests/app/workspaces/panel_fixture.h"
-#include "widgets/estimate_table.h"
+#include "widgets/controls/estimate_table.h"
 
 #include <QLabel>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "devices/acquisition/recording_csv.h"
-#include "devices/acquisition/recording_writer.h"
+#include "devices/recording/recording_csv.h"
+#include "devices/recording/recording_writer.h"
 
 #include <QString>
 #include <QTemporaryDir>

@@ -1,4 +1,4 @@
-#include "devices/port_address.h"
+#include "devices/open/port_address.h"
 #include "devices/transport/message_stream.h"
 #include "tests/conformance/ports/mock_usb.h"
 

@@ -1,4 +1,4 @@
-#include "devices/port_address.h"
+#include "devices/open/port_address.h"
 #include "devices/transport/hid_port.h"
 #include "devices/transport/stream_codec.h"
 #include "tests/conformance/ports/mock_usb.h"

@@ -1,4 +1,4 @@
-#include "devices/acquisition/recording_file.h"
+#include "devices/formats/recording_file.h"
 #include "tests/conformance/ports/served_motor.h"
 
 #include <QtCore/QJsonArray>

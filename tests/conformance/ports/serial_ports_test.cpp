@@ -1,4 +1,4 @@
-#include "devices/port_address.h"
+#include "devices/open/port_address.h"
 #include "devices/transport/port_listing.h"
 #include "devices/transport/serial_port.h"
 #include "tests/conformance/ports/mock_serial.h"

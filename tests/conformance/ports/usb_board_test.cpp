@@ -1,4 +1,4 @@
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 #include "tests/conformance/ports/mock_usb.h"
 #include "tests/conformance/ports/served_motor.h"
 

@@ -1,5 +1,5 @@
-#include "devices/device_watcher.h"
-#include "devices/open_device.h"
+#include "devices/open/device_watcher.h"
+#include "devices/open/open_device.h"
 #include "devices/transport/hid_port.h"
 #include "devices/transport/message_stream.h"
 #include "devices/transport/usb_port.h"

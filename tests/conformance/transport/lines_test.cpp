@@ -1,4 +1,4 @@
-#include "devices/port_address.h"
+#include "devices/open/port_address.h"
 #include "devices/transport/stream_codec.h"
 #include "devices/transport/sxi_codec.h"
 #include "devices/transport/tcp_socket.h"

@@ -3,7 +3,7 @@
 #include "control/base/units.h"
 #include "control/design/crossover_design.h"
 #include "control/design/design_methods.h"
-#include "tests/control/design/published_motor.h"
+#include "tests/control/published_motor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "control/analysis/loop_functions.h"
 #include "control/base/units.h"
 #include "control/design/design_methods.h"
-#include "tests/control/design/published_motor.h"
+#include "tests/control/published_motor.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,9 @@
 #include "control/base/random.h"
 #include "control/base/units.h"
 #include "control/design/optimal_designs.h"
-#include "control/design/riccati.h"
 #include "control/lti/eigenvalues.h"
-#include "tests/control/design/published_motor.h"
+#include "control/lti/riccati.h"
+#include "tests/control/published_motor.h"
 
 #include <gtest/gtest.h>
 

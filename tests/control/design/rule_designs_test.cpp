@@ -4,7 +4,7 @@
 #include "control/base/units.h"
 #include "control/design/design_methods.h"
 #include "control/design/rule_designs.h"
-#include "tests/control/design/published_motor.h"
+#include "tests/control/published_motor.h"
 
 #include <gtest/gtest.h>
 

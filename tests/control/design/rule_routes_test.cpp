@@ -1,12 +1,12 @@
 // Elements, rules and equations of control/design with random numbers, each against its definition written
 // out another way.
+#include "control/assess/friction_cycles.h"
 #include "control/base/units.h"
 #include "control/design/crossover_design.h"
-#include "control/design/filters.h"
-#include "control/design/friction_cycles.h"
-#include "control/design/held_rotor.h"
-#include "control/design/riccati.h"
 #include "control/design/tuning_rules.h"
+#include "control/law/filters.h"
+#include "control/law/held_rotor.h"
+#include "control/lti/riccati.h"
 #include "tests/control/random_systems.h"
 #include "tests/control/routes/own_loop.h"
 #include "tests/control/routes/state_routes.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "control/base/random.h"
-#include "control/design/position_loop.h"
+#include "control/law/position_loop.h"
 #include "control/lti/state_space.h"
 
 #include <Eigen/Core>

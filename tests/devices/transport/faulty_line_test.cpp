@@ -1,4 +1,4 @@
-#include "devices/sxi_framing.h"
+#include "devices/open/sxi_framing.h"
 #include "devices/transport/codec_framing.h"
 #include "devices/transport/faulty_line.h"
 #include "devices/transport/sxi_codec.h"

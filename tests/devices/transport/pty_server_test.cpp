@@ -1,4 +1,4 @@
-#include "devices/sxi_framing.h"
+#include "devices/open/sxi_framing.h"
 #include "devices/transport/pty_server.h"
 #include "tests/devices/transport/echo_board.h"
 

@@ -1,5 +1,5 @@
-#include "devices/open_device.h"
-#include "devices/port_address.h"
+#include "devices/open/open_device.h"
+#include "devices/open/port_address.h"
 #include "devices/transport/framed_transport.h"
 #include "tests/devices/transport/pty_line.h"
 #include "tests/devices/transport/served_board.h"

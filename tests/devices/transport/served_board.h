@@ -1,6 +1,6 @@
 #pragma once
 
-#include "devices/serve_device.h"
+#include "devices/open/serve_device.h"
 
 #include <atomic>
 #include <condition_variable>

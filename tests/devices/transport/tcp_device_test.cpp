@@ -1,4 +1,4 @@
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 #include "devices/transport/tcp_socket.h"
 #include "devices/transport/tcp_transport.h"
 #include "tests/devices/transport/served_board.h"

@@ -1,5 +1,5 @@
 #include "control/base/random.h"
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 #include "tests/devices/transport/served_board.h"
 #include "tests/devices/transport/udp_pair.h"
 

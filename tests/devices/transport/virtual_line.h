@@ -1,6 +1,6 @@
 #pragma once
 
-#include "devices/served_simulation.h"
+#include "devices/open/served_simulation.h"
 #include "devices/simulated/simulated_device.h"
 #include "devices/transport/faulty_line.h"
 #include "devices/transport/message_stream.h"

@@ -1,4 +1,4 @@
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 
 #include <gtest/gtest.h>
 

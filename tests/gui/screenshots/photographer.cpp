@@ -1,10 +1,10 @@
 #include "tests/gui/screenshots/photographer.h"
 
-#include "app/procedures/move_procedure.h"
-#include "app/window/dock_layout.h"
-#include "app/window/help_window.h"
-#include "app/workspaces/import_view.h"
-#include "widgets/theme_style.h"
+#include "app/procedures/move/move_procedure.h"
+#include "app/window/docks/dock_layout.h"
+#include "app/window/help/help_window.h"
+#include "app/workspaces/recordings/import_view.h"
+#include "widgets/theme/theme_style.h"
 
 #include <QAction>
 #include <QApplication>

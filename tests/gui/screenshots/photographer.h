@@ -1,8 +1,8 @@
 #pragma once
 
 #include "app/window/main_window.h"
-#include "app/window/preferences.h"
-#include "widgets/figure_view.h"
+#include "app/window/preferences/preferences.h"
+#include "widgets/figure/figure_view.h"
 
 #include <QPoint>
 #include <QSize>

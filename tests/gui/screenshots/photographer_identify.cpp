@@ -1,4 +1,4 @@
-#include "app/window/dock_layout.h"
+#include "app/window/docks/dock_layout.h"
 #include "tests/gui/screenshots/photographer.h"
 
 #include <QTabWidget>

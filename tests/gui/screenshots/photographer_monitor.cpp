@@ -1,8 +1,8 @@
 // The Monitor in its typical uses, as resources/help/monitor.md tells them.
-#include "app/window/dock_layout.h"
-#include "app/workspaces/monitor_panel.h"
+#include "app/window/docks/dock_layout.h"
+#include "app/workspaces/monitor/monitor_panel.h"
 #include "tests/gui/screenshots/photographer.h"
-#include "widgets/live_plot_stack.h"
+#include "widgets/live_plot/live_plot_stack.h"
 
 #include <qtadvanceddocking/DockManager.h>
 #include <qtadvanceddocking/DockWidget.h>

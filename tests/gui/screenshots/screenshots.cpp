@@ -1,4 +1,4 @@
-#include "app/window/language.h"
+#include "app/window/preferences/language.h"
 #include "app/window/window_application.h"
 #include "tests/gui/screenshots/photographer.h"
 

@@ -1,4 +1,4 @@
-#include "tests/models/plants/ideal_loop_cases.h"
+#include "tests/models/htm/ideal_loop_cases.h"
 
 #include <gtest/gtest.h>
 

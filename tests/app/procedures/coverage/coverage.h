@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/procedures/identify_procedure.h"
-#include "devices/open_device.h"
+#include "app/procedures/identify/identify_procedure.h"
+#include "devices/open/open_device.h"
 
 #include <gtest/gtest.h>
 

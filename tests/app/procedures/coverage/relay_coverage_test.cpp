@@ -1,4 +1,4 @@
-#include "tests/app/procedures/relay_truth.h"
+#include "tests/app/procedures/relay/relay_truth.h"
 
 namespace halbench::app {
 namespace {

@@ -1,7 +1,7 @@
-#include "app/procedures/analyse.h"
-#include "app/procedures/identify_physics.h"
+#include "app/procedures/identify/identify_physics.h"
+#include "app/procedures/tune/analyse.h"
 #include "control/base/units.h"
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 #include "tests/control/identify/motion_records.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "app/procedures/identify_procedure.h"
-#include "devices/open_device.h"
+#include "app/procedures/identify/identify_procedure.h"
+#include "devices/open/open_device.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/procedures/identify_procedure.h"
+#include "app/procedures/identify/identify_procedure.h"
 #include "devices/xcp/xcp_device.h"
 #include "tests/devices/transport/virtual_line.h"
 

@@ -1,8 +1,8 @@
-#include "app/procedures/calibrate_procedure.h"
-#include "app/procedures/identify_plan.h"
-#include "app/procedures/identify_procedure.h"
-#include "app/procedures/pilot_motion.h"
-#include "devices/open_device.h"
+#include "app/procedures/calibrate/calibrate_procedure.h"
+#include "app/procedures/identify/identify_plan.h"
+#include "app/procedures/identify/identify_procedure.h"
+#include "app/procedures/identify/pilot_motion.h"
+#include "devices/open/open_device.h"
 
 #include <gtest/gtest.h>
 

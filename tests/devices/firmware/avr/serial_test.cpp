@@ -1,4 +1,4 @@
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 #include "tests/devices/firmware/avr/avr_fixture.h"
 #include "tests/devices/firmware/avr/simavr/avr_line.h"
 

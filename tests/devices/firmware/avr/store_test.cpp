@@ -1,4 +1,4 @@
-#include "devices/sxi_framing.h"
+#include "devices/open/sxi_framing.h"
 #include "tests/devices/firmware/avr/avr_fixture.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "app/procedures/identify_procedure.h"
-#include "devices/open_device.h"
+#include "app/procedures/identify/identify_procedure.h"
+#include "devices/open/open_device.h"
 #include "tests/app/procedures/rogue_board.h"
 #include "tests/devices/firmware/avr/avr_fixture.h"
 

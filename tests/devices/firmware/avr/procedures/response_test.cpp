@@ -1,7 +1,7 @@
-#include "app/procedures/move_procedure.h"
+#include "app/procedures/move/move_procedure.h"
 #include "control/base/units.h"
 #include "devices/firmware/htm/hb_htm_internal.h"
-#include "devices/open_device.h"
+#include "devices/open/open_device.h"
 #include "tests/devices/firmware/avr/avr_fixture.h"
 
 #include <fmt/format.h>

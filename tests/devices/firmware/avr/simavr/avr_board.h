@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/plants/htm_plant.h"
+#include "models/htm/htm_plant.h"
 #include "tests/devices/firmware/avr/simavr/avr_core.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "devices/sxi_framing.h"
+#include "devices/open/sxi_framing.h"
 #include "devices/transport/transport.h"
 #include "tests/devices/firmware/avr/simavr/avr_board.h"
 

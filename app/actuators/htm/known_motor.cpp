@@ -1,0 +1,27 @@
+#include "app/actuators/htm/known_motor.h"
+
+#include "devices/device_uri.h"
+#include "devices/simulated/simulated_device.h"
+
+namespace halbench::app {
+
+std::optional<KnownMotor> knownMotor(const devices::DeviceInfo& device) {
+    if (device.model != "htm") {
+        return std::nullopt;
+    }
+    KnownMotor motor;
+    const Result<devices::DeviceUri> uri = devices::parseDeviceUri(device.uri);
+    if (!uri) {
+        return motor;
+    }
+    const Result<devices::SimulatedSetup> setup = devices::parseSimulatedAddress(*uri, std::nullopt);
+    if (setup) {
+        motor.rotor.inertia_kg_m2 = setup->parameters.inertia_kg_m2;
+        motor.rotor.viscousDamping_Nm_s = setup->parameters.viscousDamping_Nm_s;
+        motor.rotor.coulombFriction_Nm = setup->parameters.coulombFriction_Nm;
+        motor.torqueConstant_Nm_per_A = setup->parameters.torqueConstant_Nm_per_A;
+    }
+    return motor;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,361 @@
+#include "app/cli/command_support.h"
+#include "app/cli/judgement_text.h"
+#include "app/cli/loop_pictures.h"
+#include "app/documents/law_code.h"
+#include "app/documents/model_file.h"
+#include "app/documents/result_documents.h"
+#include "app/documents/shaped_gains.h"
+#include "app/documents/text/numbers.h"
+#include "app/documents/text/output_file.h"
+#include "app/procedures/tune/disturbance.h"
+#include "app/procedures/tune/loop_uncertainty.h"
+#include "app/tuning/gains_judgement.h"
+#include "app/tuning/loop_comparison.h"
+#include "app/tuning/loop_conditions.h"
+#include "app/tuning/what_if_report.h"
+#include "control/base/assert.h"
+#include "control/base/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+Result<void> writeColumns(const std::string& path, const std::string& header,
+                          const std::vector<const std::vector<double>*>& columns) {
+    if (path.empty()) {
+        return {};
+    }
+    std::string text = header + "\n";
+    for (std::size_t row = 0; row < columns.front()->size(); ++row) {
+        for (std::size_t column = 0; column < columns.size(); ++column) {
+            const double value = (*columns[column])[row];
+            text += column == 0 ? "" : ",";
+            text += std::isfinite(value) ? formatNumber(value) : std::string(); // a band that is not known
+        }
+        text += '\n';
+    }
+    return writeFile(path, text);
+}
+
+/// Closed loop: factor 1. A line each, so that any program can draw it.
+Result<void> writePoles(const std::string& path, const AnalysisResult::Roots& roots) {
+    if (path.empty()) {
+        return {};
+    }
+    std::string text = "kind,branch,gain_factor,real,imaginary\n";
+    const auto add = [&text](const char* kind, std::size_t branch, double factor,
+                             std::complex<double> place) {
+        text += fmt::format("{},{},{},{},{}\n", kind, branch, formatNumber(factor),
+                            formatNumber(place.real()), formatNumber(place.imag()));
+    };
+    const auto addAll = [&add](const char* kind, double factor,
+                               const std::vector<std::complex<double>>& places) {
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            add(kind, i, factor, places[i]);
+        }
+    };
+    addAll("zero", 0.0, roots.zeros);
+    addAll("open", 0.0, roots.openLoop);
+    addAll("closed", 1.0, roots.closedLoop);
+    for (std::size_t branch = 0; branch < roots.locus.branch.size(); ++branch) {
+        for (std::size_t i = 0; i < roots.locus.gain.size(); ++i) {
+            add("locus", branch, roots.locus.gain[i], roots.locus.branch[branch][i]);
+        }
+    }
+    return writeFile(path, text);
+}
+
+std::string analysisText(const AnalysisResult& result) {
+    std::string text = fmt::format("{}\n", result.isStable ? "stable" : "UNSTABLE");
+    const JsonValue body = analysisBody(result);
+    const JsonValue& margins = *body.find("margins");
+    text += figureLines("margins of the sampled loop", margins);
+    const JsonValue* limit = margins.find("gain_limit");
+    text += fmt::format("{:<26} {}\n", "limit of the gain",
+                        limit->isNull() ? "none" : limit->text() + " of the gain");
+    if (const JsonValue* step = body.find("step"); step->isObject()) {
+        text += figureLines("small step, without friction and current limit", *step);
+    }
+    if (const JsonValue* step = body.find("large_step"); step->isObject()) {
+        text += figureLines("large step, with friction and current limit", *step);
+    }
+    return text;
+}
+
+/// The columns of a band; empty cells where nothing is known of it.
+control::Band columnsOf(const control::Band& band, std::size_t rows) {
+    const std::vector<double> unknown(rows, std::numeric_limits<double>::quiet_NaN());
+    const bool isKnown = band.p5.size() == rows;
+    return isKnown ? band : control::Band{unknown, unknown};
+}
+
+/// The motors that the uncertainty allows; none for a model without one.
+std::vector<control::PositionPlant> motorsOf(const ModelFile& model, std::uint64_t seed) {
+    const auto plants = drawnPlants(model.estimate, {TuneConfig().draws, seed});
+    return plants ? *plants : std::vector<control::PositionPlant>();
+}
+
+/// The same judgement as of gains that are designed. An analysis refuses none: what it is asked to show may
+/// be unstable.
+Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopConditions conditions,
+                             const JudgedWith& with) {
+    TuneConfig config;
+    config.load_A = with.load_A;
+    config.method = loop.gains.method;
+    config.conditions = std::move(conditions);
+    config.conditions.timing = loop.gains.timing;
+    config.seed = with.seed;
+    Result<TuneResult> judged = judgeLaw(model.estimate, loop.gains.loopLaw(), config);
+    if (judged && loop.timing) {
+        addFinding(*judged, *loop.timing);
+    }
+    if (judged) {
+        loop.result.warnings = judged->warnings;
+        loop.result.quality.findings = judged->warnings;
+        if (judged->quality.verdict != Verdict::Good) {
+            loop.result.quality.verdict = Verdict::Doubtful;
+        }
+    }
+    return judged;
+}
+
+/// What runs on the board takes its timing with it: each loop is the one its gains were designed for, unless
+/// the model knows which one its board has.
+Result<ComparedLoop> analyseGains(const std::string& path, const ModelFile& model,
+                                  LoopConditions conditions) {
+    Result<GainsFile> file = readShapedGains(path);
+    if (!file) {
+        return failure(file.error());
+    }
+    conditions.timing = timingOr(model.estimate.timing, file->timing);
+    auto other = otherTiming(file->timing, conditions.timing);
+    file->timing = conditions.timing;
+    Result<AnalysisResult> result = runAnalysis(model.estimate, file->loopLaw(), conditions);
+    if (!result) {
+        return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
+    }
+    return ComparedLoop{path, *std::move(file), *std::move(result), std::move(other)};
+}
+
+Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, const ModelFile& model,
+                                             const LoopConditions& conditions) {
+    std::vector<std::string> paths{options.gainsFile};
+    paths.insert(paths.end(), options.compared.begin(), options.compared.end());
+    std::vector<ComparedLoop> loops;
+    for (const std::string& path : paths) {
+        Result<ComparedLoop> loop = analyseGains(path, model, conditions);
+        if (!loop) {
+            return failure(loop.error());
+        }
+        loops.push_back(*std::move(loop));
+    }
+    return loops;
+}
+
+/// A record was made by a board: through a law that none has it cannot be replayed.
+Result<void> checkShown(const CommandOptions& options, const std::vector<ComparedLoop>& loops) {
+    const bool isReplayed = !options.whatIfRecording.empty() && loops.front().gains.shaped;
+    return isReplayed ? notOnBoard("--what-if") : Result<void>();
+}
+
+/// The open loop with its bands.
+Result<void> writeBode(const std::string& path, const AnalysisResult::Bode& bode, const ComparedLoop& loop,
+                       const std::vector<control::PositionPlant>& motors) {
+    std::vector<double> frequency_rad_s;
+    for (const double frequency_Hz : bode.frequency_Hz) {
+        frequency_rad_s.push_back(2.0 * Pi * frequency_Hz);
+    }
+    const std::size_t rows = bode.frequency_Hz.size();
+    const auto bands = loopBandsOf(motors, loop.gains.loopLaw(), loop.gains.timing, frequency_rad_s);
+    const auto magnitude = columnsOf(bands ? bands->magnitude_dB : control::Band{}, rows);
+    const auto phase = columnsOf(bands ? bands->phase_deg : control::Band{}, rows);
+    return writeColumns(path,
+                        "frequency_hz,magnitude_db,phase_deg,magnitude_p5_db,magnitude_p95_db,phase_p5_deg,"
+                        "phase_p95_deg",
+                        {&bode.frequency_Hz, &bode.magnitude_dB, &bode.phase_deg, &magnitude.p5,
+                         &magnitude.p95, &phase.p5, &phase.p95});
+}
+
+/// A step of the reference, and beside it what a load does, on the same times, with their bands; none of an
+/// unstable loop.
+Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step,
+                       const control::LoadStep& loaded, double load_A, const ComparedLoop& loop,
+                       const std::vector<control::PositionPlant>& motors) {
+    HB_ASSERT(loaded.time_s.size() == step.time_s.size());
+    const std::size_t rows = step.time_s.size();
+    const double end_s = rows > 0 ? step.time_s.back() : 0.0;
+    const LoopLaw law = loop.gains.loopLaw();
+    const auto answer = stepBandOf(motors, law, loop.gains.timing, 1.0, {end_s, step.pointsPerSample});
+    const auto under = loadBandOf(motors, law, loop.gains.timing, load_A, {end_s, step.pointsPerSample});
+    const auto response = columnsOf(answer ? answer->response_rad : control::Band{}, rows);
+    const auto angle = columnsOf(under ? under->angle_rad : control::Band{}, rows);
+    return writeColumns(path,
+                        "time_s,response_rad,current_A,load_angle_rad,load_current_A,response_p5_rad,"
+                        "response_p95_rad,load_angle_p5_rad,load_angle_p95_rad",
+                        {&step.time_s, &step.response_rad, &step.current_A, &loaded.angle_rad,
+                         &loaded.current_A, &response.p5, &response.p95, &angle.p5, &angle.p95});
+}
+
+/// Each as it is judged alone; the answer is that of the first.
+Result<TuneResult> judgeAll(std::vector<ComparedLoop>& loops, const ModelFile& model,
+                            const LoopConditions& conditions, const JudgedWith& with) {
+    auto first = judgeLoop(loops.front(), model, conditions, with);
+    for (std::size_t i = 1; i < loops.size(); ++i) {
+        if (const auto valid = judgeLoop(loops[i], model, conditions, with); !valid) {
+            return failure(valid.error());
+        }
+    }
+    return first;
+}
+
+/// What the other programs and controllers draw and run: of the first gains.
+Result<void> writeFiles(const CommandOptions& options, const ModelFile& model, const ComparedLoop& loop,
+                        LoopConditions conditions, const JudgedWith& with) {
+    const AnalysisResult& result = loop.result;
+    conditions.timing = loop.gains.timing;
+    const bool needsMotors = !options.bodeFile.empty() || !options.stepFile.empty();
+    const auto motors = needsMotors ? motorsOf(model, with.seed) : std::vector<control::PositionPlant>();
+    Result<void> done =
+        options.bodeFile.empty() ? Result<void>() : writeBode(options.bodeFile, result.bode, loop, motors);
+    if (done && !options.stepFile.empty()) {
+        const auto loaded =
+            disturbanceStep(model.estimate, loop.gains.loopLaw(), conditions, result, with.load_A)
+                .value_or(control::LoadStep{});
+        done = writeStep(options.stepFile, result.stepCurve, loaded, with.load_A, loop, motors);
+    }
+    done = done ? writePoles(options.polesFile, result.roots) : done;
+    return done ? writeLaw(options.codeFile, loop.gains.loopLaw(), conditions,
+                           {loop.gains.method, model.device})
+                : done;
+}
+
+/// Without --what-if nothing.
+Result<std::optional<WhatIfReport>> askWhatIf(const CommandOptions& options, const ModelFile& model,
+                                              const ComparedLoop& own, LoopConditions conditions,
+                                              std::uint64_t seed) {
+    if (options.whatIfRecording.empty()) {
+        if (!options.ranFile.empty() || !options.whatIfFile.empty()) {
+            return failure(ErrorCode::Usage, "--ran and --motion belong to --what-if",
+                           "name the recorded move: --what-if RECORDING");
+        }
+        return std::optional<WhatIfReport>();
+    }
+    conditions.timing = own.gains.timing;
+    const Result<RanMove> ran = readRanMove(options.whatIfRecording, options.ranFile, conditions);
+    if (!ran) {
+        return failure(ran.error());
+    }
+    Result<WhatIfReport> report =
+        reportWhatIf(*ran, model.estimate, own.gains.law, {TuneConfig().draws, seed});
+    if (!report) {
+        return failure(report.error());
+    }
+    if (!options.whatIfFile.empty()) {
+        if (const Result<void> written = writeFile(options.whatIfFile, whatIfTable(*report)); !written) {
+            return failure(written.error());
+        }
+    }
+    return std::optional<WhatIfReport>(*std::move(report));
+}
+
+/// The judged loop with those it is compared with beside it.
+Result<void> drawPictures(const std::vector<LoopPicture>& pictures, const ModelFile& model,
+                          const TuneResult& judged, const std::vector<ComparedLoop>& loops,
+                          std::uint64_t seed) {
+    DrawnLoop drawn{&judged, &model.estimate, {}, {TuneConfig().draws, seed}};
+    for (std::size_t i = 1; i < loops.size(); ++i) {
+        drawn.others.push_back({std::filesystem::path(loops[i].path).filename().string(), &loops[i].result});
+    }
+    return writeLoopPictures(pictures, drawn);
+}
+
+/// --disturbance, and the seed of the drawn motors.
+Result<JudgedWith> judgedWith(const CommandOptions& options, std::uint64_t seed) {
+    const Result<std::optional<double>> load = optionalNumber("--disturbance", options.load);
+    if (!load) {
+        return failure(load.error());
+    }
+    if (load->value_or(1.0) <= 0.0) {
+        return failure(ErrorCode::OutOfRange, fmt::format("--disturbance: {} is not positive", options.load),
+                       "give a positive number");
+    }
+    return JudgedWith{seed, load->value_or(DisturbanceLoad_A)};
+}
+
+bool isAnyRefused(const std::vector<ComparedLoop>& loops) {
+    return std::any_of(loops.begin(), loops.end(), [](const ComparedLoop& loop) {
+        return loop.result.quality.verdict == Verdict::Refused;
+    });
+}
+
+} // namespace
+
+CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<ModelFile> model = readModelFile(options.device);
+    if (!model) {
+        return failure(model.error());
+    }
+    Result<LoopConditions> conditions = loopConditionsOf(*model);
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    if (const Result<void> taken = takeCalibration(*conditions, options.calibrationFile); !taken) {
+        return failure(taken.error());
+    }
+    Result<std::vector<ComparedLoop>> loops = analyseAll(options, *model, *conditions);
+    if (!loops) {
+        return failure(loops.error());
+    }
+    if (const Result<void> shown = checkShown(options, *loops); !shown) {
+        return failure(shown.error());
+    }
+    const ComparedLoop& own = loops->front();
+    ResultHeader header = headerFor(context, "halbench.analysis/1");
+    header.device = model->device;
+    header.seed = context.global.seed.value_or(model->seed);
+    const auto pictures = loopPicturesOf(options.pictures);
+    const auto with = judgedWith(options, header.seed);
+    if (!pictures || !with) {
+        return failure(pictures ? with.error() : pictures.error());
+    }
+    const auto judged = judgeAll(*loops, *model, *conditions, *with);
+    if (!judged) {
+        return failure(judged.error());
+    }
+    JsonValue document = analysisDocument(header, own.result);
+    setJudgement(document, *judged);
+    std::string text = analysisText(own.result) + proofLines(*judged) + cycleLines(*judged) +
+                       disturbanceLines(*judged) + intervalLines(judged->robust) +
+                       loopFindingLines(own.result.quality, false);
+    text += own.gains.shaped ? shapingLines(*own.gains.shaped) : std::string();
+    if (loops->size() > 1) {
+        document.set("compared", comparedLoops({loops->begin() + 1, loops->end()}));
+        text += comparisonTable(*loops);
+    }
+    const auto motion = askWhatIf(options, *model, own, *conditions, header.seed);
+    if (!motion) {
+        return failure(motion.error());
+    }
+    if (*motion) {
+        document.set("what_if", whatIfBody(**motion));
+        text += whatIfText(**motion);
+    }
+    Result<void> done = writeFiles(options, *model, own, *conditions, *with);
+    done = done ? drawPictures(*pictures, *model, *judged, *loops, header.seed) : done;
+    done = done ? deliver(context, document, text, "") : done;
+    if (!done) {
+        return failure(done.error());
+    }
+    const bool isWithheld = *motion && (*motion)->withheld;
+    return isAnyRefused(*loops) || isWithheld ? ExitCode::CheckFailed : ExitCode::Done;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,166 @@
+#include "app/cli/command_support.h"
+#include "app/cli/frequency_options.h"
+#include "app/cli/kept_result.h"
+#include "app/documents/frequency_table.h"
+#include "app/documents/result_documents.h"
+#include "app/documents/text/numbers.h"
+#include "app/documents/text/output_file.h"
+#include "app/headless/recording_file.h"
+#include "app/tuning/loop_conditions.h"
+#include "control/base/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+/// One option that is a number and may be left out.
+struct NumberOption {
+    const char* option;
+    const std::string& text;
+    double& value;
+};
+
+Result<void> take(std::initializer_list<NumberOption> numbers) {
+    for (const NumberOption& number : numbers) {
+        const Result<std::optional<double>> given = optionalNumber(number.option, number.text);
+        if (!given) {
+            return failure(given.error());
+        }
+        number.value = given->value_or(number.value);
+    }
+    return {};
+}
+
+std::string marginLine(const char* name, const control::MeasuredMargin& margin, const char* unit) {
+    if (!margin.value) {
+        return fmt::format("{:<14} withheld\n", name);
+    }
+    return fmt::format("{:<14} {:.4g} {}  [{:.4g}, {:.4g}] at {:.4g} rad/s\n", name, *margin.value, unit,
+                       margin.interval->first, margin.interval->second, *margin.frequency_rad_s);
+}
+
+std::string frequencyText(const FrequencyResult& result) {
+    const auto used = std::count_if(result.points.begin(), result.points.end(),
+                                    [](const FrequencyResultPoint& point) { return point.isUsed; });
+    std::string text = fmt::format("{:<14} {} of {} used, coherence from {:.3g}\n", "frequencies", used,
+                                   result.points.size(), result.config.leastCoherence);
+    text += fmt::format("{:<14} {:.4g} rad/s, never below {:.4g} rad/s\n", "base speed", result.turn_rad_s,
+                        result.lowestSpeed_rad_s);
+    text += marginLine("phase margin", result.margins.phase_deg, "deg");
+    text += marginLine("gain margin", result.margins.gain_dB, "dB");
+    if (result.fit) {
+        text += estimateLine("c_over_J", result.fit->dampingRate);
+        text += estimateLine("phi_over_J", result.fit->accelerationGain);
+        text += estimateLine("feedthrough", result.fit->feedthrough);
+    }
+    return text + findingLines(result.quality);
+}
+
+Result<void> writeFiles(const CommandOptions& options, const FrequencyResult& result, devices::Device& device,
+                        const std::string& started) {
+    if (!options.recordFile.empty()) {
+        if (auto written = namingFile(options.recordFile, writeRecording(options.recordFile, result.recording,
+                                                                         device, {started, {}, {}}));
+            !written) {
+            return written;
+        }
+    }
+    return options.bodeFile.empty()
+               ? Result<void>()
+               : namingFile(options.bodeFile, writeFile(options.bodeFile, frequencyTable(result)));
+}
+
+} // namespace
+
+Result<void> checkFrequencyOptions(const CommandOptions& options) {
+    if (options.isFrequency) {
+        return refuseGiven({{"--given", !options.given.empty()},
+                            {"--currents", !options.currents.empty()},
+                            {"--directions", !options.directions.empty()},
+                            {"--bare", !options.bare.empty()},
+                            {"--added-inertia", !options.addedInertia.empty()}},
+                           "belongs to the sweep and not to --frequency", "leave one of the two out");
+    }
+    return refuseGiven({{"--excitation", !options.excitation.empty()},
+                        {"--from-hz", !options.fromFrequency.empty()},
+                        {"--to-hz", !options.toFrequency.empty()},
+                        {"--base-rad-s", !options.base.empty()},
+                        {"--amplitude-deg", !options.amplitude.empty()},
+                        {"--periods", !options.periods.empty()},
+                        {"--coherence", !options.coherence.empty()},
+                        {"--bode", !options.bodeFile.empty()},
+                        {"--calibration", !options.calibrationFile.empty()}},
+                       "belongs to a frequency response", "add --frequency");
+}
+
+Result<FrequencyConfig> frequencyConfigFrom(const CommandOptions& options) {
+    FrequencyConfig config;
+    if (!options.excitation.empty()) {
+        const Result<Excitation> named = excitation(options.excitation);
+        if (!named) {
+            return failure(ErrorCode::Usage, "--excitation: " + named.error().message, named.error().hint);
+        }
+        config.excitation = *named;
+    }
+    double periods = config.periods;
+    const Result<std::optional<double>> amplitude_deg = optionalNumber("--amplitude-deg", options.amplitude);
+    const Result<void> taken = take({{"--from-hz", options.fromFrequency, config.from_Hz},
+                                     {"--to-hz", options.toFrequency, config.to_Hz},
+                                     {"--base-rad-s", options.base, config.base_rad_s},
+                                     {"--periods", options.periods, periods},
+                                     {"--coherence", options.coherence, config.leastCoherence}});
+    if (!taken || !amplitude_deg) {
+        return failure(taken ? amplitude_deg.error() : taken.error());
+    }
+    constexpr double Most = 1e6; // of an int, before the procedure judges it
+    if (periods != std::floor(periods) || std::abs(periods) > Most) {
+        return failure(ErrorCode::Usage, "--periods: '" + options.periods + "' is no whole number",
+                       "write e.g. 8");
+    }
+    config.periods = static_cast<int>(periods);
+    if (*amplitude_deg) {
+        config.amplitude_rad = degreesToRadians(**amplitude_deg);
+    }
+    return config;
+}
+
+CommandResult runFrequencyCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<FrequencyConfig> config = frequencyConfigFrom(options);
+    if (!config) {
+        return failure(config.error());
+    }
+    const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
+    if (!device) {
+        return failure(device.error());
+    }
+    Result<LoopConditions> conditions = loopConditionsOf(**device);
+    if (!conditions) {
+        return failure(conditions.error());
+    }
+    if (const Result<void> taken = takeCalibration(*conditions, options.calibrationFile); !taken) {
+        return failure(taken.error());
+    }
+    const ResultHeader header = headerFor(context, "halbench.frequency/1", **device);
+    const Result<FrequencyResult> result =
+        runFrequency(**device, *config, conditions->stray, observerFor(context));
+    if (!result) {
+        return failure(result.error());
+    }
+    const Result<void> files = writeFiles(options, *result, **device, header.started);
+    const KeptResult kept{frequencyDocument(header, *result), frequencyText(*result), options.out};
+    if (!files) {
+        return endWithResult(context, kept, files.error());
+    }
+    const Result<void> done = deliver(context, kept.document, kept.text, kept.out);
+    if (!done) {
+        return failure(done.error());
+    }
+    return exitCodeFor(result->quality);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,142 @@
+#include "app/cli/command_support.h"
+#include "app/documents/text/output_file.h"
+#include "app/experiments/experiment_runner.h"
+#include "app/experiments/run_files.h"
+#include "app/experiments/run_plan.h"
+#include "app/experiments/step_configs.h"
+#include "app/headless/waiting_device.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace halbench::app {
+
+namespace {
+
+Result<Experiment> readExperiment(const CommandOptions& options) {
+    const Result<std::string> text = readFile(options.experiment);
+    if (!text) {
+        return failure(text.error());
+    }
+    const std::string origin = std::filesystem::path(options.experiment).filename().string();
+    Result<Experiment> experiment = parseExperiment(*text, origin, options.assignments);
+    if (experiment && !options.deviceOverride.empty()) {
+        experiment->device = options.deviceOverride;
+    }
+    if (experiment && experiment->device.empty()) {
+        return failure(ErrorCode::InvalidInput, origin + ": names no device",
+                       "add device = \"sim:htm\" or give --device");
+    }
+    return experiment;
+}
+
+bool needsConsent(const Experiment& experiment) {
+    for (const ExperimentStep& step : experiment.steps) {
+        if (step.kind == "identify" || step.kind == "frequency" || step.kind == "relay" ||
+            step.kind == "calibrate" || step.kind == "move" || step.kind == "apply") {
+            return true;
+        }
+    }
+    return false;
+}
+
+CommandResult showPlan(CommandContext& context, const Experiment& experiment, devices::Device& device) {
+    const Result<RunPlan> plan = planRun(experiment, device);
+    if (!plan) {
+        return failure(plan.error());
+    }
+    context.console.print(planText(*plan));
+    const Result<void> printed =
+        context.console.printDocument(planDocument(headerFor(context, "halbench.plan/1", device), *plan));
+    if (!printed) {
+        return failure(printed.error());
+    }
+    return ExitCode::Done;
+}
+
+/// A run that a device, a limit or a file that could not be written ended is still told in files; one that
+/// the user or a bad input ended is not.
+bool isTold(const std::optional<Error>& error) {
+    if (!error || error->code == ErrorCode::FileSystem) {
+        return true;
+    }
+    const ExitCode code = exitCodeFor(error->code);
+    return code == ExitCode::CheckFailed || code == ExitCode::DeviceFailed || code == ExitCode::SafetyStop;
+}
+
+/// A device or limit that ended the run matters more than the files that it then left incomplete.
+Error withCause(const Error& files, const std::optional<Error>& stoppedBy) {
+    if (!stoppedBy) {
+        return files;
+    }
+    return {stoppedBy->code, stoppedBy->message + "; " + files.message, stoppedBy->hint + "; " + files.hint};
+}
+
+CommandResult runAll(CommandContext& context, const CommandOptions& options, const Experiment& experiment,
+                     devices::Device& device) {
+    const ResultHeader opened = headerFor(context, "halbench.run/1", device);
+    const RunOutcome outcome = runExperiment(context, device, experiment, opened.seed, options.out);
+    if (!isTold(outcome.stoppedBy)) {
+        return failure(*outcome.stoppedBy);
+    }
+    ResultHeader header = opened;
+    header.quality = runQuality(outcome);
+    const Result<void> written = writeRunFiles(options.out, header, experiment, outcome, device);
+    if (!written) {
+        return failure(withCause(written.error(), outcome.stoppedBy));
+    }
+    if (outcome.stoppedBy && exitCodeFor(outcome.stoppedBy->code) != ExitCode::CheckFailed) {
+        return failure(*outcome.stoppedBy);
+    }
+    if (outcome.stoppedBy) {
+        context.console.log(LogLevel::Error, errorLine(*outcome.stoppedBy));
+    }
+    context.console.print(runText(outcome));
+    if (const Result<void> printed = context.console.printDocument(runDocument(header, experiment, outcome));
+        !printed) {
+        return failure(printed.error());
+    }
+    return outcome.passed ? ExitCode::Done : ExitCode::CheckFailed;
+}
+
+/// Only a recording that asks for it goes on after the device was lost; every other step ends with it.
+Result<std::unique_ptr<devices::Device>> openFor(CommandContext& context, const Experiment& experiment,
+                                                 bool isDryRun) {
+    Result<std::unique_ptr<devices::Device>> device = needsConsent(experiment) && !isDryRun
+                                                          ? openToMove(context, experiment.device)
+                                                          : openDeviceFor(context, experiment.device);
+    const bool isWaiting = std::any_of(experiment.steps.begin(), experiment.steps.end(), isWaitingStep);
+    if (!device || !isWaiting) {
+        return device;
+    }
+    auto waiting = waitingDevice(context, experiment.device, *std::move(device));
+    waiting->setWaiting(false);
+    return waiting;
+}
+
+} // namespace
+
+CommandResult runRunCommand(CommandContext& context, const CommandOptions& options) {
+    const Result<Experiment> experiment = readExperiment(options);
+    if (!experiment) {
+        return failure(experiment.error());
+    }
+    if (!options.isDryRun && options.out.empty()) {
+        return failure(ErrorCode::Usage, "--out is required", "name the folder that the results go into");
+    }
+    const Result<std::unique_ptr<devices::Device>> device = openFor(context, *experiment, options.isDryRun);
+    if (!device) {
+        return failure(device.error());
+    }
+    Result<void> ready = checkAgainstDevice(*experiment, **device);
+    if (ready && options.isDryRun) {
+        return showPlan(context, *experiment, **device);
+    }
+    ready = ready ? createFolder(options.out) : ready;
+    if (!ready) {
+        return failure(ready.error());
+    }
+    return runAll(context, options, *experiment, **device);
+}
+
+} // namespace halbench::app

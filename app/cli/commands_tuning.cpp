@@ -1,0 +1,231 @@
+#include "app/cli/command_support.h"
+#include "app/cli/loop_pictures.h"
+#include "app/cli/tuning_apply.h"
+#include "app/cli/tuning_text.h"
+#include "app/documents/law_code.h"
+#include "app/documents/relay_document.h"
+#include "app/documents/result_documents.h"
+#include "app/documents/shaped_gains.h"
+#include "app/documents/text/numbers.h"
+#include "app/tuning/gains_judgement.h"
+#include "app/tuning/loop_conditions.h"
+#include "devices/device_uri.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+Result<std::optional<double>> target(const std::string& option, const std::string& text) {
+    const Result<std::optional<double>> value = optionalNumber(option, text);
+    if (value && value->value_or(1.0) <= 0.0) {
+        return failure(ErrorCode::OutOfRange, fmt::format("{}: {} is not positive", option, text),
+                       "give a positive number");
+    }
+    return value;
+}
+
+Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
+    const Result<std::optional<double>> zeta = target("--zeta", options.zeta);
+    const Result<std::optional<double>> omega = target("--omega-rad-s", options.omega);
+    const Result<std::optional<double>> bandwidth = target("--bandwidth-hz", options.bandwidth);
+    const Result<std::optional<double>> margin = target("--phase-margin-deg", options.phaseMargin);
+    const Result<std::optional<double>> sensitivity = target("--max-sensitivity", options.maxSensitivity);
+    const Result<std::optional<double>> current = target("--current-limit-a", options.currentLimit);
+    const Result<std::optional<double>> step = target("--step-deg", options.limitedStep);
+    for (const auto* value : {&zeta, &omega, &bandwidth, &margin, &sensitivity, &current, &step}) {
+        if (!*value) {
+            return failure(value->error());
+        }
+    }
+    control::DesignTargets targets{*zeta, *omega, *bandwidth, *margin, *sensitivity, *current, *step};
+    if (!options.relayFile.empty()) {
+        const Result<RelayFile> relay = readRelayFile(options.relayFile);
+        if (!relay) {
+            return failure(relay.error());
+        }
+        targets.ultimateGain_A_per_rad = relay->ultimateGain_A_per_rad;
+        targets.ultimatePeriod_s = relay->ultimatePeriod_s;
+    }
+    return targets;
+}
+
+/// What --gains holds is not designed. Nothing without it.
+Result<std::optional<GainsFile>> gainsOf(const CommandOptions& options) {
+    if (options.gainsFile.empty()) {
+        return std::optional<GainsFile>();
+    }
+    for (const std::string* designing :
+         {&options.method, &options.zeta, &options.omega, &options.bandwidth, &options.phaseMargin,
+          &options.maxSensitivity, &options.currentLimit, &options.limitedStep, &options.relayFile}) {
+        if (!designing->empty()) {
+            return failure(ErrorCode::Usage,
+                           "--gains holds the gains: --method, its targets and --relay would design others",
+                           "leave out one or the other");
+        }
+    }
+    Result<GainsFile> gains = readShapedGains(options.gainsFile);
+    return gains ? Result<std::optional<GainsFile>>(*std::move(gains)) : failure(gains.error());
+}
+
+/// What the board cannot run is told before anything moves.
+Result<void> checkRunnable(const CommandOptions& options, const std::optional<GainsFile>& gains) {
+    const bool isApplied = gains && gains->shaped && !options.applyDevice.empty();
+    return isApplied ? notOnBoard("--apply") : Result<void>();
+}
+
+/// Designed, or as the file has them; those are judged in the loop that they were found for.
+Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& source,
+                             const TuneConfig& config) {
+    if (!source.gains) {
+        return runTune(source.estimate, config);
+    }
+    LoopConditions conditions = source.conditions;
+    conditions.timing =
+        source.device ? conditions.timing : timingOr(source.estimate.timing, source.gains->timing);
+    auto judged = judgeGains(*source.gains, source.estimate, conditions, {config.seed, config.load_A});
+    if (!judged) {
+        return failure(judged.error().code, options.gainsFile + ": " + judged.error().message,
+                       judged.error().hint);
+    }
+    if (const auto timing = otherTiming(source.gains->timing, conditions.timing)) {
+        addFinding(*judged, *timing);
+    }
+    const auto& motor = source.header.device;
+    if (const auto foreign = motor ? foreignGains(*source.gains, *motor) : std::nullopt) {
+        addFinding(*judged, *foreign);
+    }
+    return judged;
+}
+
+/// Method and targets, judged before anything moves.
+Result<TuneConfig> tuneConfigFrom(const CommandOptions& options) {
+    const Result<control::DesignTargets> targets = targetsFrom(options);
+    const Result<std::optional<double>> load = target("--disturbance", options.load);
+    const auto pictures = loopPicturesOf(options.pictures);
+    if (!targets || !load || !pictures) {
+        return failure(!targets ? targets.error() : !load ? load.error() : pictures.error());
+    }
+    TuneConfig config;
+    config.load_A = load->value_or(config.load_A);
+    config.method = options.method.empty() ? config.method : options.method;
+    if (options.isLive && options.applyDevice.empty()) {
+        return failure(ErrorCode::Usage, "--live belongs to --apply",
+                       "name the device: --apply DEVICE --live");
+    }
+    config.targets = *targets;
+    std::vector<std::string> known;
+    for (const control::DesignMethod& method : control::designMethods()) {
+        known.emplace_back(method.name);
+    }
+    if (std::find(known.begin(), known.end(), config.method) == known.end()) {
+        const auto why = control::designLaw(config.method, {1.0, 1.0, 0.0}, {}, {});
+        if (why.error().code != ErrorCode::UnknownName) { // known, and not for this board
+            return failure(why.error());
+        }
+        return failure(ErrorCode::UnknownName,
+                       fmt::format("--method: '{}' is no design method", config.method),
+                       fmt::format("use {}", fmt::join(known, ", ")));
+    }
+    return config;
+}
+
+/// The loop that swung is the one that is designed for; that it was of another motor is said.
+Result<std::optional<Finding>> checkRelay(const CommandOptions& options, const TuningSource& source) {
+    if (options.relayFile.empty()) {
+        return std::optional<Finding>();
+    }
+    const Result<RelayFile> relay = readRelayFile(options.relayFile);
+    if (!relay) {
+        return failure(relay.error());
+    }
+    if (!(relay->timing == source.conditions.timing)) {
+        return failure(
+            ErrorCode::InvalidInput,
+            fmt::format("--relay: {} was measured at {:.4g} s with {} samples of delay, the design is for "
+                        "{:.4g} s and {}",
+                        options.relayFile, relay->timing.period_s, relay->timing.delay_samples,
+                        source.conditions.timing.period_s, source.conditions.timing.delay_samples),
+            "make the experiment on the loop that is designed for");
+    }
+    if (!relay->header.device || !source.header.device) {
+        return std::optional<Finding>();
+    }
+    return foreignMotor(relay->header.device, *source.header.device);
+}
+
+} // namespace
+
+CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options) {
+    Result<TuneConfig> config = tuneConfigFrom(options);
+    if (!config) {
+        return failure(config.error());
+    }
+    Result<std::optional<GainsFile>> gains = gainsOf(options);
+    const Result<void> runnable = gains ? checkRunnable(options, *gains) : failure(gains.error());
+    if (!runnable) {
+        return failure(runnable.error());
+    }
+    const bool isDevice = devices::parseDeviceUri(options.device).has_value();
+    Result<TuningSource> source =
+        isDevice ? sourceFromDevice(context, options, *config) : sourceFromFile(context, options.device);
+    if (!source) {
+        return failure(source.error());
+    }
+    source->gains = *gains;
+    if (const Result<void> taken = takeCalibration(source->conditions, options.calibrationFile); !taken) {
+        return failure(taken.error());
+    }
+    config->conditions = source->conditions;
+    config->seed = source->header.seed;
+    const Result<std::optional<Finding>> foreign = checkRelay(options, *source);
+    if (!foreign) {
+        return failure(foreign.error());
+    }
+    Result<TuneResult> result = findGains(options, *source, *config);
+    if (!result) {
+        return failure(result.error());
+    }
+    if (*foreign) {
+        addFinding(*result, **foreign);
+    }
+    const Result<void> opened = openToApply(context, options, *source, *result);
+    if (!opened) {
+        return failure(opened.error());
+    }
+    if (const auto coded = writeLaw(options.codeFile, {result->law, result->shaped}, result->conditions,
+                                    {result->method, source->header.device});
+        !coded) {
+        return failure(coded.error());
+    }
+    if (const auto drawn =
+            writeLoopPictures(*loopPicturesOf(options.pictures),
+                              {&*result, &source->estimate, {}, {config->draws, config->seed}});
+        !drawn) {
+        return failure(drawn.error());
+    }
+    JsonValue document = gainsDocument(source->header, *result);
+    std::string text = gainsText(*result);
+    bool isKept = true;
+    if (!options.applyDevice.empty()) {
+        const Result<AppliedGains> applied =
+            options.isLive ? applyInSteps(context, *source, *result) : applyGains(context, *source, *result);
+        if (!applied) {
+            return failure(applied.error());
+        }
+        isKept = applied->result.isKept;
+        document.set("applied", applied->body);
+        text += applied->steps + agreementLine(applied->result);
+        text += fmt::format("{}\n{}", isKept ? "applied and verified" : "not kept, the old gains run again",
+                            findingLines(applied->result.quality));
+    }
+    if (const Result<void> done = deliver(context, document, text, options.out); !done) {
+        return failure(done.error());
+    }
+    return isKept ? exitCodeFor(result->quality) : ExitCode::CheckFailed;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,162 @@
+#include "app/cli/command_support.h"
+#include "app/documents/model_file.h"
+#include "app/documents/text/names.h"
+#include "app/documents/text/numbers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+std::string estimateLine(std::string_view name, const control::Estimate& estimate) {
+    if (!estimate.value) {
+        return fmt::format("{:<14} {}\n", name, control::estimateSourceName(estimate.source));
+    }
+    const std::string interval =
+        estimate.interval95
+            ? fmt::format("  [{:.6g}, {:.6g}]", estimate.interval95->first, estimate.interval95->second)
+            : std::string();
+    return fmt::format("{:<14} {:.6g} {}{}  {}\n", name, *estimate.value, estimate.unit, interval,
+                       control::estimateSourceName(estimate.source));
+}
+
+std::string identificationText(const IdentifyResult& result) {
+    std::string text;
+    text += estimateLine("inertia J", result.inertia);
+    text += estimateLine("viscous c", result.viscousDamping);
+    text += estimateLine("Coulomb Kf", result.coulombFriction);
+    text += estimateLine("torque phi", result.torqueConstant);
+    for (const auto& [name, ratio] : result.ratios) {
+        text += estimateLine(name, ratio);
+    }
+    if (result.asymmetry) {
+        text += estimateLine("asymmetry", *result.asymmetry);
+    }
+    if (result.rSquared) {
+        text += fmt::format("{:<14} {:.5f}\n", "R squared", *result.rSquared);
+    }
+    return text + findingLines(result.quality);
+}
+
+Result<SweepDirections> sweepDirections(const std::string& name) {
+    if (name.empty() || name == "both") {
+        return SweepDirections::Both;
+    }
+    if (name == "forward") {
+        return SweepDirections::Forward;
+    }
+    if (name == "reverse") {
+        return SweepDirections::Reverse;
+    }
+    return failure(ErrorCode::Usage, "--directions: '" + name + "' is no direction",
+                   "use both, forward or reverse");
+}
+
+Result<std::vector<Calibration>> calibrationsFrom(const std::string& name) {
+    if (name == "all") {
+        return CalibrateConfig{}.which;
+    }
+    for (const Calibration calibration : CalibrateConfig{}.which) {
+        if (calibrationName(calibration) == name) {
+            return std::vector<Calibration>{calibration};
+        }
+    }
+    return failure(ErrorCode::Usage, "'" + name + "' is no calibration",
+                   "use hall, stray, static-friction or all");
+}
+
+namespace {
+
+Result<CurrentSweep> sweepFrom(const std::string& text) {
+    CurrentSweep sweep;
+    if (text.empty()) {
+        return sweep;
+    }
+    const std::vector<std::string> parts = splitList(text, ':');
+    if (parts.size() != 3) {
+        return failure(ErrorCode::Usage, "--currents: '" + text + "' is not FROM:TO:STEP",
+                       "write it like 1.6:4:0.2");
+    }
+    std::vector<double> numbers;
+    for (const std::string& part : parts) {
+        const Result<double> number = numberOption("--currents", part);
+        if (!number) {
+            return failure(number.error());
+        }
+        numbers.push_back(*number);
+    }
+    return CurrentSweep{numbers[0], numbers[1], numbers[2]};
+}
+
+Result<control::GivenConstants> givenFrom(const std::vector<std::string>& texts) {
+    control::GivenConstants given;
+    std::vector<std::string> seen;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos) {
+            return failure(ErrorCode::Usage, "--given: '" + text + "' is not NAME=VALUE", "write J=5.5e-4");
+        }
+        const std::string symbol = text.substr(0, equals);
+        if (std::find(seen.begin(), seen.end(), symbol) != seen.end()) {
+            return failure(ErrorCode::Usage, "--given: '" + symbol + "' is given twice", "give it once");
+        }
+        seen.push_back(symbol);
+        const Result<double> value = numberOption("--given " + text, text.substr(equals + 1));
+        if (!value) {
+            return failure(value.error());
+        }
+        if (const Result<void> set = setGivenConstant(given, symbol, *value); !set) {
+            return failure(set.error());
+        }
+    }
+    return given;
+}
+
+Result<std::optional<AddedInertia>> addedFrom(const CommandOptions& options) {
+    if (options.bare.empty() && options.addedInertia.empty()) {
+        return std::optional<AddedInertia>{};
+    }
+    if (options.bare.empty() || options.addedInertia.empty()) {
+        return failure(ErrorCode::Usage, "--bare and --added-inertia belong together",
+                       "give the result of the bare motor and the inertia added since");
+    }
+    const Result<double> inertia = numberOption("--added-inertia", options.addedInertia);
+    if (!inertia) {
+        return failure(inertia.error());
+    }
+    Result<ModelFile> bare = readModelFile(options.bare);
+    if (!bare) {
+        return failure(bare.error());
+    }
+    return std::optional<AddedInertia>(AddedInertia{std::move(bare->estimate), *inertia});
+}
+
+} // namespace
+
+Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options) {
+    const Result<CurrentSweep> sweep = sweepFrom(options.currents);
+    if (!sweep) {
+        return failure(sweep.error());
+    }
+    const Result<SweepDirections> directions = sweepDirections(options.directions);
+    if (!directions) {
+        return failure(directions.error());
+    }
+    const Result<control::GivenConstants> given = givenFrom(options.given);
+    if (!given) {
+        return failure(given.error());
+    }
+    Result<std::optional<AddedInertia>> added = addedFrom(options);
+    if (!added) {
+        return failure(added.error());
+    }
+    IdentifyConfig config;
+    config.sweep = *sweep;
+    config.directions = *directions;
+    config.given = *given;
+    config.added = *std::move(added);
+    return config;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "app/headless/command_context.h"
+#include "app/procedures/relay/relay_procedure.h"
+
+namespace halbench::app {
+
+/// Options of `identify --relay` without it, and others with it. Error: Usage, naming one.
+Result<void> checkRelayOptions(const CommandOptions& options);
+
+/// Errors: Usage, NotFinite, naming the option; of the model's file. Ranges are the procedure's.
+Result<RelayConfig> relayConfigFrom(const CommandOptions& options);
+
+/// What it will do, said before anything moves.
+std::string relayPlanText(const RelayPlan& plan);
+
+/// identify DEVICE --relay
+CommandResult runRelayCommand(CommandContext& context, const CommandOptions& options);
+
+} // namespace halbench::app

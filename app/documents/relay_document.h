@@ -1,0 +1,28 @@
+#pragma once
+
+#include "app/documents/result_header.h"
+#include "app/procedures/relay/relay_procedure.h"
+
+#include <string>
+
+namespace halbench::app {
+
+/// halbench.relay/1
+JsonValue relayDocument(ResultHeader header, const RelayResult& result);
+/// The same without the header, for the steps of a run.
+JsonValue relayBody(const RelayResult& result);
+
+/// What tuning needs of RELAY.json.
+struct RelayFile {
+    ResultHeader header;
+    double ultimateGain_A_per_rad = 0.0;
+    double ultimatePeriod_s = 0.0;
+    control::LoopTiming timing; ///< of the loop that swung
+};
+
+/// Errors: FileSystem; InvalidInput with the place; Refused for a result that was refused.
+Result<RelayFile> readRelayFile(const std::string& path);
+/// The same from text; `origin` names it in messages.
+Result<RelayFile> parseRelay(const std::string& text, const std::string& origin);
+
+} // namespace halbench::app

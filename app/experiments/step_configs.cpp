@@ -1,0 +1,232 @@
+#include "app/experiments/step_configs.h"
+
+#include "app/cli/command_support.h"
+#include "app/documents/presets.h"
+#include "app/documents/text/names.h"
+#include "app/procedures/frequency/frequency_board.h"
+#include "control/base/units.h"
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+tl::unexpected<Error> at(const ConfigNode& node, Error error) {
+    error.message = node.where() + ": " + error.message;
+    return failure(std::move(error));
+}
+
+Result<void> checkValues(const ConfigNode& place, const std::vector<ParameterValue>& values,
+                         const devices::Catalogue& catalogue) {
+    for (const ParameterValue& value : values) {
+        const ParameterSpec* spec = catalogue.findParameter(value.name);
+        if (spec == nullptr) {
+            return at(place, unknownName(catalogue, value.name));
+        }
+        if (const Result<void> valid = checkParameterValue(*spec, value.value); !valid) {
+            return at(place, valid.error());
+        }
+    }
+    return {};
+}
+
+Result<void> checkSweep(const ExperimentStep& step, const devices::Catalogue& catalogue) {
+    const Result<IdentifyConfig> config = identifyConfigOf(step);
+    if (!config) {
+        return failure(config.error());
+    }
+    const ParameterSpec* limit = catalogue.findParameter(catalogue.parameterForRole("limit.current"));
+    const Result<std::vector<double>> currents =
+        sweepCurrents_A(config->sweep, limit == nullptr ? 1e9 : limit->max);
+    const ConfigNode* sweep = step.find("currents_A");
+    return currents ? Result<void>() : at(sweep != nullptr ? *sweep : step.keys, currents.error());
+}
+
+/// With any gains: what the law allows is seen when its turn comes.
+Result<void> checkFrequency(const ExperimentStep& step, const devices::Catalogue& catalogue) {
+    const FrequencyConfig config = frequencyConfigOf(step);
+    const Result<void> able = checkFrequencyBoard(catalogue, config);
+    if (!able) {
+        return at(step.keys, able.error());
+    }
+    const auto plan = planFrequency(config, frequencyMargins(catalogue, models::PositionLaw{}));
+    return plan ? Result<void>() : at(step.keys, plan.error());
+}
+
+Result<void> checkSignals(const ExperimentStep& step, const devices::Catalogue& catalogue) {
+    for (const std::string& name : step.texts("signals")) {
+        if (catalogue.findSignal(name) == nullptr) {
+            return at(*step.find("signals"), unknownName(catalogue, name));
+        }
+    }
+    const RecordConfig config = recordConfigOf(step);
+    if (config.trigger && catalogue.findSignal(config.trigger->event.signal) == nullptr) {
+        return at(*step.find("trigger"), unknownName(catalogue, config.trigger->event.signal));
+    }
+    return {};
+}
+
+Result<void> checkPreset(const ExperimentStep& step, const devices::Catalogue& catalogue,
+                         const std::string& model) {
+    const std::optional<std::string> name = step.text("preset");
+    if (!name) {
+        return {};
+    }
+    const Result<Preset> preset = findPreset(model, *name);
+    return preset ? checkValues(*step.find("preset"), preset->values, catalogue)
+                  : at(*step.find("preset"), preset.error());
+}
+
+Result<void> checkStep(const ExperimentStep& step, const devices::Catalogue& catalogue,
+                       const std::string& model) {
+    if (step.kind == "identify") {
+        return checkSweep(step, catalogue);
+    }
+    if (step.kind == "frequency") {
+        return checkFrequency(step, catalogue);
+    }
+    if (step.kind == "move") {
+        const Result<MoveConfig> config = moveConfigOf(step);
+        return config ? Result<void>() : failure(config.error());
+    }
+    if (step.kind == "record") {
+        return checkSignals(step, catalogue);
+    }
+    if (step.kind == "set") {
+        return checkValues(*step.find("values"), valuesOf(step), catalogue);
+    }
+    return checkPreset(step, catalogue, model);
+}
+
+} // namespace
+
+Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step) {
+    IdentifyConfig config;
+    config.sweep.from_A = step.number("currents_A.from").value_or(config.sweep.from_A);
+    config.sweep.to_A = step.number("currents_A.to").value_or(config.sweep.to_A);
+    config.sweep.step_A = step.number("currents_A.step").value_or(config.sweep.step_A);
+    config.speedLimit_rad_s = step.number("speed_limit_rad_s").value_or(config.speedLimit_rad_s);
+    config.usableSpeed_rad_s = step.number("usable_speed_rad_s").value_or(config.usableSpeed_rad_s);
+    config.directions = *sweepDirections(step.text("directions").value_or("both"));
+    for (const auto& [symbol, value] : step.numbers("given")) {
+        if (const Result<void> set = setGivenConstant(config.given, symbol, value); !set) {
+            return at(*step.find("given"), set.error());
+        }
+    }
+    return config;
+}
+
+FrequencyConfig frequencyConfigOf(const ExperimentStep& step) {
+    FrequencyConfig config;
+    config.excitation = *excitation(step.text("excitation").value_or("multisine")); // a choice of its table
+    config.from_Hz = step.number("from_hz").value_or(config.from_Hz);
+    config.to_Hz = step.number("to_hz").value_or(config.to_Hz);
+    config.base_rad_s = step.number("base_rad_s").value_or(config.base_rad_s);
+    config.periods = static_cast<int>(step.number("periods").value_or(config.periods));
+    config.leastCoherence = step.number("coherence").value_or(config.leastCoherence);
+    config.speedLimit_rad_s = step.number("speed_limit_rad_s").value_or(config.speedLimit_rad_s);
+    if (const std::optional<double> amplitude_deg = step.number("amplitude_deg")) {
+        config.amplitude_rad = degreesToRadians(*amplitude_deg);
+    }
+    return config;
+}
+
+RelayConfig relayConfigOf(const ExperimentStep& step) {
+    RelayConfig config;
+    config.base_rad_s = step.number("base_rad_s");
+    config.limit_A = step.number("current_A");
+    config.gain_A_per_rad = step.number("gain_A_per_rad");
+    config.cycles = static_cast<int>(step.number("cycles").value_or(config.cycles));
+    config.speedLimit_rad_s = step.number("speed_limit_rad_s").value_or(config.speedLimit_rad_s);
+    return config;
+}
+
+Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step) {
+    CalibrateConfig config;
+    Result<std::vector<Calibration>> which = calibrationsFrom(step.text("what").value_or("all"));
+    if (!which) {
+        return at(step.keys, which.error());
+    }
+    config.which = *std::move(which);
+    config.apply = step.isTrue("apply");
+    return config;
+}
+
+Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
+    MoveConfig config;
+    const ConfigNode& reference = *step.find("reference");
+    const Result<MoveReference::Shape> shape = moveShape(*step.text("reference.shape"));
+    if (!shape) {
+        return at(reference, shape.error());
+    }
+    config.reference.shape = *shape;
+    for (const ConfigNode::Member& member : reference.members) {
+        const Result<void> set = member.first == "shape"
+                                     ? Result<void>()
+                                     : setMoveReference(config.reference, member.first, member.second.number);
+        if (!set) {
+            return at(member.second, set.error());
+        }
+    }
+    if (const Result<void> valid = checkMoveReference(config.reference); !valid) {
+        return at(reference, valid.error());
+    }
+    config.duration_s = *step.number("duration_s");
+    config.evaluateFrom_s = step.number("evaluate_from_s");
+    config.evaluateTo_s = step.number("evaluate_to_s");
+    if (const std::optional<double> threshold_deg = step.number("lock_threshold_deg")) {
+        config.lockThreshold_rad = degreesToRadians(*threshold_deg);
+    }
+    return config;
+}
+
+bool isWaitingStep(const ExperimentStep& step) {
+    return step.kind == "record" && step.isTrue("reconnect");
+}
+
+RecordConfig recordConfigOf(const ExperimentStep& step) {
+    RecordConfig config;
+    config.signals = step.texts("signals");
+    config.rate_Hz = step.number("rate_hz").value_or(config.rate_Hz);
+    config.duration_s = *step.number("duration_s");
+    if (const std::optional<std::string> trigger = step.text("trigger")) {
+        config.trigger.emplace();
+        config.trigger->event = *parseCaptureTrigger(*trigger); // judged when the file was read
+        config.trigger->preTrigger_s = step.number("pre_trigger_s").value_or(config.trigger->preTrigger_s);
+        config.trigger->patience_s = step.number("wait_s").value_or(config.trigger->patience_s);
+    }
+    return config;
+}
+
+control::DesignTargets designTargetsOf(const ExperimentStep& step) {
+    return {step.number("zeta"),
+            step.number("omega_rad_s"),
+            step.number("bandwidth_hz"),
+            step.number("phase_margin_deg"),
+            step.number("max_sensitivity"),
+            step.number("current_limit_A"),
+            step.number("step_deg"),
+            step.number("ultimate_gain_A_per_rad"),
+            step.number("ultimate_period_s")};
+}
+
+std::vector<ParameterValue> valuesOf(const ExperimentStep& step) {
+    std::vector<ParameterValue> values;
+    for (const auto& [name, value] : step.numbers("values")) {
+        values.push_back({name, value});
+    }
+    return values;
+}
+
+Result<void> checkAgainstDevice(const Experiment& experiment, const devices::Device& device) {
+    for (const ExperimentStep& step : experiment.steps) {
+        const Result<void> valid = checkStep(step, device.catalogue(), device.info().model);
+        if (!valid) {
+            return valid;
+        }
+    }
+    return {};
+}
+
+} // namespace halbench::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "app/experiments/run_outcome.h"
+
+namespace halbench::app {
+
+// From a validated step of an experiment to the configuration of its procedure. Errors: what the procedure's
+// own setters say, with the step's place in the file in front.
+
+Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step);
+FrequencyConfig frequencyConfigOf(const ExperimentStep& step);
+/// Without the model of an earlier step.
+RelayConfig relayConfigOf(const ExperimentStep& step);
+Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step);
+Result<MoveConfig> moveConfigOf(const ExperimentStep& step);
+/// A recording that waits for a device that is lost (`reconnect`).
+bool isWaitingStep(const ExperimentStep& step);
+RecordConfig recordConfigOf(const ExperimentStep& step);
+control::DesignTargets designTargetsOf(const ExperimentStep& step);
+std::vector<ParameterValue> valuesOf(const ExperimentStep& step);
+
+/// Everything that can be judged without moving: configurations, names and limits against the device's
+/// catalogue. Errors: as above; UnknownName, NotFinite, OutOfRange of the device.
+Result<void> checkAgainstDevice(const Experiment& experiment, const devices::Device& device);
+
+} // namespace halbench::app

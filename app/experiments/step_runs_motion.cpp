@@ -1,0 +1,140 @@
+#include "app/documents/result_documents.h"
+#include "app/documents/result_header.h"
+#include "app/experiments/step_configs.h"
+#include "app/experiments/step_runs.h"
+#include "app/headless/recording_file.h"
+#include "app/headless/waiting_device.h"
+#include "app/procedures/base/procedure_steps.h"
+#include "app/procedures/tune/position_law_parameters.h"
+#include "control/base/units.h"
+
+namespace halbench::app {
+
+namespace {
+
+/// While it lives, the loss of the device is waited out if the step says so.
+class ReturnWait {
+public:
+    ReturnWait(StepRun& run, const ExperimentStep& step, RecordingOutput& file)
+        : m_device(isWaitingStep(step) ? dynamic_cast<devices::ReturningDevice*>(&run.device) : nullptr) {
+        if (m_device != nullptr) {
+            m_device->setEvents(eventsTo(run.context, file));
+            m_device->setWaiting(true);
+        }
+    }
+    ~ReturnWait() {
+        if (m_device != nullptr) {
+            m_device->setEvents({});
+            m_device->setWaiting(false);
+        }
+    }
+    ReturnWait(const ReturnWait&) = delete;
+    ReturnWait& operator=(const ReturnWait&) = delete;
+
+    Result<void> present() const {
+        const bool isAway = m_device != nullptr && m_device->lost();
+        return isAway ? failure(*m_device->lost()) : Result<void>();
+    }
+
+private:
+    devices::ReturningDevice* m_device;
+};
+
+} // namespace
+
+Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
+    Result<MoveConfig> config = moveConfigOf(step);
+    if (!config) {
+        return failure(config.error());
+    }
+    const Result<models::PositionLaw> law = readPositionLaw(run.device);
+    if (!law) {
+        return failure(law.error());
+    }
+    RepeatConfig repeat;
+    repeat.count = static_cast<int>(step.number("repeat").value_or(1.0));
+    if (const std::optional<double> settled_deg = step.number("settled_deg")) {
+        repeat.settled_rad = degreesToRadians(*settled_deg);
+    }
+    Result<RepeatedMove> result = runRepeatedMove(run.device, *config, repeat, observerFor(run.context));
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.quality = result->last.quality;
+    outcome.body = moveBody(result->last);
+    MoveOutcome detail{*std::move(config), *law, std::move(result->last), std::nullopt};
+    if (step.find("repeat") != nullptr) {
+        outcome.body.set("repetition", repetitionBody(result->repetition));
+        detail.repetition = std::move(result->repetition);
+    }
+    outcome.detail = std::move(detail);
+    return outcome;
+}
+
+Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step) {
+    RecordingOutput file(run.context, run.device, run.folder + "/" + step.name + ".csv",
+                         headerFor(run.context, "halbench.run/1", run.device).started);
+    Recording kept; // for the report
+    RecordOutlet outlet = file.outlet();
+    outlet.append = [&kept, toFile = outlet.append](const SampleBlock& block) {
+        kept.append(block);
+        return toFile(block);
+    };
+    const bool isStreamed = !run.folder.empty();
+    const ReturnWait wait(run, step, file);
+    Result<RecordResult> result =
+        runRecord(run.device, recordConfigOf(step), observerFor(run.context), isStreamed ? &outlet : nullptr);
+    if (result && result->trigger_s && isStreamed) {
+        file.addMarker(*result->trigger_s, "trigger");
+    }
+    const Result<void> present = wait.present(); // away when the time was over: the recording is cut
+    const Result<void> done = !result      ? failure(result.error())
+                              : !present   ? present
+                              : isStreamed ? file.finish()
+                                           : Result<void>();
+    if (!done) {
+        return failure(file.stopped(done.error()));
+    }
+    if (isStreamed) {
+        result->recording = std::move(kept);
+    }
+    StepOutcome outcome;
+    outcome.isStreamed = isStreamed;
+    outcome.quality = result->quality;
+    outcome.body.set("rows", static_cast<std::uint64_t>(result->rows));
+    outcome.body.set("lost_rows", result->lostRows);
+    if (result->trigger_s) {
+        outcome.body.set("trigger_s", *result->trigger_s);
+    }
+    if (isWaitingStep(step)) {
+        outcome.body.set("gaps", static_cast<std::uint64_t>(result->gaps));
+        outcome.body.set("gaps_s", result->gaps_s);
+    }
+    outcome.detail = *std::move(result);
+    return outcome;
+}
+
+Result<StepOutcome> runSetStep(StepRun& run, const ExperimentStep& step) {
+    const std::vector<ParameterValue> values = valuesOf(step);
+    if (const Result<void> written = run.device.writeParameters(values); !written) {
+        return failure(written.error());
+    }
+    StepOutcome outcome;
+    outcome.body.set("values", toJson(values));
+    return outcome;
+}
+
+Result<StepOutcome> runWaitStep(StepRun& run, const ExperimentStep& step) {
+    const double duration_s = *step.number("duration_s");
+    const Result<void> waited =
+        waitObserved(run.device, observerFor(run.context), duration_s, 0.0, 1.0, step.name);
+    if (!waited) {
+        return failure(waited.error());
+    }
+    StepOutcome outcome;
+    outcome.body.set("duration_s", duration_s);
+    return outcome;
+}
+
+} // namespace halbench::app

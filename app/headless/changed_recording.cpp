@@ -1,0 +1,32 @@
+#include "app/headless/changed_recording.h"
+
+#include "app/headless/console.h"
+#include "devices/formats/recording_units.h"
+
+#include <algorithm>
+
+namespace halbench::app {
+
+void sayWarnings(const CommandContext& context, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {
+        context.console.log(LogLevel::Warning, warning);
+    }
+}
+
+void noteWarnings(DataQuality& quality, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings) {
+        quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
+        quality.findings.push_back(
+            devices::isUnitWarning(warning)
+                ? Finding{"unit_assumed", warning, "write the unit behind the column's name: position_rad"}
+                : Finding{ChangedRecordingCode, warning,
+                          "compare it with a copy of it; it may lack rows or have others"});
+    }
+}
+
+void addQuality(DataQuality& known, const DataQuality& result) {
+    known.verdict = std::max(known.verdict, result.verdict);
+    known.findings.insert(known.findings.end(), result.findings.begin(), result.findings.end());
+}
+
+} // namespace halbench::app

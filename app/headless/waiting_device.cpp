@@ -1,0 +1,51 @@
+#include "app/headless/waiting_device.h"
+
+#include "devices/open/remembered_port.h"
+#include "devices/transport/hotplug.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace halbench::app {
+
+namespace {
+
+/// Something that is plugged in ends a wait early.
+devices::HostTime hostTime() {
+    using HostClock = std::chrono::steady_clock;
+    return {[] { return std::chrono::duration<double>(HostClock::now().time_since_epoch()).count(); },
+            [hotplug = std::make_shared<devices::Hotplug>()](double duration_s) {
+                hotplug->waitFor(duration_s);
+            }};
+}
+
+} // namespace
+
+std::unique_ptr<devices::ReturningDevice> waitingDevice(CommandContext& context, const std::string& uri,
+                                                        std::unique_ptr<devices::Device> device) {
+    const devices::RememberedPort port = devices::rememberPort(uri, devices::listDevices());
+    const auto open = [port,
+                       options = openOptionsFor(context)]() -> Result<std::unique_ptr<devices::Device>> {
+        const Result<std::string> now = devices::addressNow(port, devices::listDevices());
+        return now ? devices::openDevice(*now, options) : failure(now.error());
+    };
+    devices::DeviceReturn back(device->info(), open);
+    return std::make_unique<devices::ReturningDevice>(std::move(device), std::move(back), hostTime());
+}
+
+devices::ReturningDevice::Events eventsTo(CommandContext& context, RecordingOutput& output) {
+    devices::ReturningDevice::Events events;
+    events.onLost = [&](const Error& why, double stream_s) {
+        output.addMarker(stream_s, "connection lost");
+        context.console.log(LogLevel::Warning, why.message + "; waiting for the device");
+    };
+    events.onReturned = [&](double outage_s, double stream_s) {
+        output.addMarker(stream_s, "connection back");
+        context.console.log(LogLevel::Warning,
+                            fmt::format("the device is back after {:.3g} s, recording goes on", outage_s));
+    };
+    return events;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,96 @@
+#include "app/procedures/base/coil_forecast.h"
+
+#include "app/procedures/base/procedure_steps.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+constexpr double LongestPause_s = 1800.0; // nearly four thermal time constants
+
+double constantOr(const devices::Catalogue& catalogue, const char* name, double otherwise) {
+    const auto found = catalogue.knownConstants.find(name);
+    return found == catalogue.knownConstants.end() ? otherwise : found->second;
+}
+
+Result<CoilTemperatures> waitUntilCool(devices::Device& device, const ProcedureObserver& observer,
+                                       double pause_degC) {
+    const double start_s = device.clock().now_s();
+    for (;;) {
+        const auto now = readCoilTemperatures(device);
+        if (!now || now->highest_degC() <= pause_degC) {
+            return now;
+        }
+        if (device.clock().now_s() - start_s > LongestPause_s) {
+            return failure(ErrorCode::Refused,
+                           fmt::format("a coil is at {:.0f} degC and does not cool below {:.0f} degC",
+                                       now->highest_degC(), pause_degC),
+                           "Cool the motor's surroundings and try again.");
+        }
+        const std::string text = fmt::format("waits for the coils to cool: {:.0f} degC", now->highest_degC());
+        if (auto waited = waitObserved(device, observer, 1.0, 0.0, 0.0, text); !waited) {
+            return failure(waited.error());
+        }
+    }
+}
+
+} // namespace
+
+Result<CoilTemperatures> readCoilTemperatures(devices::Device& device) {
+    const std::string names[] = {device.catalogue().signalForRole("coil_temperature.a"),
+                                 device.catalogue().signalForRole("coil_temperature.b")};
+    if (names[0].empty() || names[1].empty()) {
+        return CoilTemperatures{};
+    }
+    const auto values = device.readSignals(names);
+    if (!values) {
+        return failure(values.error());
+    }
+    if (!std::isfinite((*values)[0]) || !std::isfinite((*values)[1])) {
+        return failure(ErrorCode::NotFinite, "a coil temperature is not a number",
+                       "Nothing is armed without it; check the temperature sensors.");
+    }
+    return CoilTemperatures{(*values)[0], (*values)[1]};
+}
+
+models::CoilHeatingConfig coilModel(const devices::Catalogue& catalogue) {
+    models::CoilHeatingConfig model;
+    model.heatCapacity_J_per_K = constantOr(catalogue, "C_th", model.heatCapacity_J_per_K);
+    model.thermalResistance_K_per_W = constantOr(catalogue, "R_th", model.thermalResistance_K_per_W);
+    model.resistanceAt25_Ohm = constantOr(catalogue, "R_a", model.resistanceAt25_Ohm);
+    model.copperCoefficient_per_K = constantOr(catalogue, "alpha_copper", model.copperCoefficient_per_K);
+    return model;
+}
+
+double forecastCoil_degC(const models::CoilHeatingConfig& model, const CoilTemperatures& start,
+                         double meanSquare_A2, double duration_s) {
+    constexpr double WarmestAmbient_degC = 40.0;
+    models::CoilHeatingConfig config = model;
+    config.ambient_degC = std::min(start.lowest_degC(), WarmestAmbient_degC);
+    models::CoilHeatingState coil{start.highest_degC()};
+    stepCoilHeatingSquare(config, coil, meanSquare_A2, duration_s);
+    return std::max(coil.temperature_degC, start.highest_degC());
+}
+
+Result<double> admitHeat(devices::Device& device, const ProcedureObserver& observer, double meanSquare_A2,
+                         double duration_s, double pause_degC, double refuse_degC) {
+    const auto start = waitUntilCool(device, observer, pause_degC);
+    if (!start) {
+        return failure(start.error());
+    }
+    const double forecast_degC =
+        forecastCoil_degC(coilModel(device.catalogue()), *start, meanSquare_A2, duration_s);
+    if (forecast_degC > refuse_degC) {
+        return failure(ErrorCode::Refused,
+                       fmt::format("the coils would reach {:.0f} degC, more than {:.0f} degC", forecast_degC,
+                                   refuse_degC),
+                       "Shorten it, use less current, or let the motor cool first. Nothing was armed.");
+    }
+    return forecast_degC;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/procedures/base/procedure.h"
+#include "models/thermal/coil_heating.h"
+
+namespace halbench::app {
+
+/// Coil temperatures as the board reports them.
+struct CoilTemperatures {
+    double a_degC = 25.0;
+    double b_degC = 25.0;
+    double highest_degC() const { return a_degC > b_degC ? a_degC : b_degC; }
+    double lowest_degC() const { return a_degC < b_degC ? a_degC : b_degC; }
+};
+
+/// By the roles coil_temperature.a and .b; 25 degC for a device that has none. Errors: of the device,
+/// NotFinite.
+Result<CoilTemperatures> readCoilTemperatures(devices::Device& device);
+
+/// The thermal model of one phase from the profile's constants C_th, R_th, R_a, alpha_copper; what is absent
+/// takes the published motor's value (resources/help/htm-theory.md section 9).
+models::CoilHeatingConfig coilModel(const devices::Catalogue& catalogue);
+
+/// Temperature of the hotter coil after `duration_s` with this mean square current in it. Ambient is not
+/// measured: the colder coil stands for it, up to 40 degC, which errs on the safe side.
+double forecastCoil_degC(const models::CoilHeatingConfig& model, const CoilTemperatures& start,
+                         double meanSquare_A2, double duration_s);
+
+/// What to do about heat before arming (resources/help/architecture.md, safety): waits while a coil is above
+/// `pause_degC`, then refuses when the forecast passes `refuse_degC`. Gives the forecast.
+/// Errors: Refused (hint: how long to rest or what to reduce), of the device, of the abort.
+Result<double> admitHeat(devices::Device& device, const ProcedureObserver& observer, double meanSquare_A2,
+                         double duration_s, double pause_degC, double refuse_degC);
+
+} // namespace halbench::app

@@ -1,0 +1,43 @@
+#include "app/procedures/base/procedure.h"
+
+namespace halbench::app {
+
+std::string_view procedureStateName(ProcedureState state) {
+    switch (state) {
+    case ProcedureState::Prepare:
+        return "prepare";
+    case ProcedureState::Excite:
+        return "excite";
+    case ProcedureState::Record:
+        return "record";
+    case ProcedureState::Fit:
+        return "fit";
+    case ProcedureState::Judge:
+        return "judge";
+    case ProcedureState::Propose:
+        return "propose";
+    case ProcedureState::Apply:
+        return "apply";
+    case ProcedureState::Verify:
+        return "verify";
+    case ProcedureState::Done:
+        return "done";
+    case ProcedureState::Restored:
+        return "restored";
+    }
+    return "unknown";
+}
+
+std::string_view verdictName(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::Good:
+        return "good";
+    case Verdict::Doubtful:
+        return "doubtful";
+    case Verdict::Refused:
+        return "refused";
+    }
+    return "refused";
+}
+
+} // namespace halbench::app

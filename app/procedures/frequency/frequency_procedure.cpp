@@ -1,0 +1,203 @@
+#include "app/procedures/frequency/frequency_procedure.h"
+
+#include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/base/procedure_steps.h"
+#include "app/procedures/base/restored_result.h"
+#include "app/procedures/excite/spin_drive.h"
+#include "app/procedures/excite/watched_turn.h"
+#include "app/procedures/frequency/frequency_board.h"
+#include "app/procedures/frequency/frequency_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+constexpr std::array<std::string_view, 3> ExcitationNames = {"multisine", "stepped-sine", "chirp"};
+constexpr double OnTheWay_s = 0.3; // rows that are recorded but not here yet
+
+Result<void> startStage(devices::Device& device, const MoveReference& reference, double duration_s) {
+    return startGenerator(device, reference, duration_s + GeneratorSlack_s);
+}
+
+/// The excitation as one object, so that its steps share device, observer and watch.
+class FrequencyExcitation {
+public:
+    FrequencyExcitation(devices::Device& device, const ProcedureObserver& observer, const FrequencyPlan& plan,
+                        FrequencyRun& run)
+        : m_device(device), m_outer(observer), m_plan(plan), m_run(run),
+          m_turn(device, observer,
+                 {plan.turn_rad_s, 0.0,
+                  "use a smaller amplitude or a faster base; a loop that swings by itself needs gains with "
+                  "more damping first"}) {}
+
+    Result<void> drive() {
+        Result<Recording> recording = m_turn.record(m_run.config.speedLimit_rad_s, m_run.margins.period_s,
+                                                    [this] { return armAndExcite(); });
+        if (!recording) {
+            return failure(recording.error());
+        }
+        m_run.recording = *std::move(recording);
+        return {};
+    }
+
+private:
+    Result<void> armAndExcite() {
+        if (auto armed = m_device.arm(); !armed) {
+            return armed;
+        }
+        Result<void> done = startStage(m_device, turning(), m_plan.runUp_s);
+        done = done ? wait(m_plan.runUp_s, "runs up") : done;
+        done = done ? enterState(m_outer, ProcedureState::Record) : done;
+        m_turn.beginWatch();
+        for (const FrequencyStage& stage : m_plan.stages) {
+            done = !done ? done : stage.sweeps > 0 ? sweep(stage) : excite(stage);
+        }
+        return done ? m_device.disarm() : done;
+    }
+
+    MoveReference turning() const {
+        MoveReference reference;
+        reference.shape = MoveReference::Shape::Ramp;
+        reference.rate_rad_s = m_plan.turn_rad_s;
+        return reference;
+    }
+
+    /// The board's chirp runs once and then holds its position: before it ends, steady motion takes over.
+    Result<void> sweep(const FrequencyStage& stage) {
+        MeasuredStage measured{stage, m_turn.rows(), {}};
+        Result<void> done;
+        for (int i = 0; done && i < stage.sweeps; ++i) {
+            // Rows that were late before the sweep before and are not any more: sweeps do not overlap.
+            const std::size_t begin =
+                measured.sweepRows.empty() ? std::size_t{0} : measured.sweepRows.back() + stage.rowsPerPeriod;
+            measured.sweepRows.push_back(std::max(begin, m_turn.rows()));
+            done = startStage(m_device, stage.reference, stage.sweep_s);
+            const auto text = fmt::format("sweeps from {:.3g} to {:.3g} Hz, {} of {}",
+                                          stage.reference.frequency_Hz, stage.to_Hz, i + 1, stage.sweeps);
+            done = done ? wait(stage.sweep_s, text) : done;
+            done = done ? startStage(m_device, turning(), stage.rest_s) : done;
+            done = done ? wait(stage.rest_s, text) : done;
+        }
+        m_run.stages.push_back(std::move(measured));
+        return done ? wait(2.0 * OnTheWay_s, "waits for the last rows") : done;
+    }
+
+    Result<void> excite(const FrequencyStage& stage) {
+        const double duration_s = stage.settle_s + stage.measured_s + OnTheWay_s;
+        if (auto started = startStage(m_device, stage.reference, duration_s); !started) {
+            return started;
+        }
+        const auto settling =
+            static_cast<std::size_t>(std::lround((stage.settle_s + OnTheWay_s) / m_run.margins.period_s));
+        m_run.stages.push_back({stage, m_turn.rows() + settling, {}});
+        return wait(duration_s + OnTheWay_s,
+                    fmt::format("excites from {:.3g} Hz", stage.reference.frequency_Hz));
+    }
+
+    Result<void> wait(double duration_s, const std::string& text) {
+        const double whole_s = m_plan.duration_s();
+        const double from = std::min(1.0, m_done_s / whole_s);
+        m_done_s += duration_s;
+        return waitObserved(m_device, m_turn.observer(), duration_s, from, std::min(1.0, m_done_s / whole_s),
+                            text);
+    }
+
+    devices::Device& m_device;
+    const ProcedureObserver& m_outer;
+    const FrequencyPlan& m_plan;
+    FrequencyRun& m_run;
+    WatchedTurn m_turn;
+    double m_done_s = 0.0;
+};
+
+Result<void> prepareBoard(devices::Device& device, const FrequencyConfig& config) {
+    if (auto prepared = prepareSpinning(device, config.speedLimit_rad_s); !prepared) {
+        return prepared;
+    }
+    const ParameterValue values[] = {{"reference.start", 0.0},
+                                     {"hb.setpoint", 0.0},
+                                     {"hb.mode", static_cast<double>(devices::BoardMode::Position)}};
+    return device.writeParameters(values);
+}
+
+Result<FrequencyResult> measure(devices::Device& device, FrequencyRun run, const FrequencyPlan& plan,
+                                const ProcedureObserver& observer) {
+    if (auto prepared = prepareBoard(device, run.config); !prepared) {
+        return failure(prepared.error());
+    }
+    if (auto heat = admitHeat(device, observer, plan.meanSquare_A2, plan.duration_s(),
+                              run.config.pauseTemperature_degC, run.config.refuseTemperature_degC);
+        !heat) {
+        return failure(heat.error());
+    }
+    if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
+        return failure(entered.error());
+    }
+    if (auto driven = FrequencyExcitation(device, observer, plan, run).drive(); !driven) {
+        return failure(driven.error());
+    }
+    if (auto entered = enterState(observer, ProcedureState::Fit); !entered) {
+        return failure(entered.error());
+    }
+    auto result = estimateFrequency(std::move(run));
+    if (!result) {
+        return result;
+    }
+    if (auto entered = enterState(observer, ProcedureState::Judge); !entered) {
+        return failure(entered.error());
+    }
+    result->quality = judgeFrequency(*result);
+    return result;
+}
+
+} // namespace
+
+std::string_view excitationName(Excitation excitation) {
+    return ExcitationNames[static_cast<std::size_t>(excitation)];
+}
+
+Result<Excitation> excitation(std::string_view name) {
+    const auto found = std::find(ExcitationNames.begin(), ExcitationNames.end(), name);
+    if (found == ExcitationNames.end()) {
+        return failure(ErrorCode::UnknownName, fmt::format("there is no excitation '{}'", name),
+                       fmt::format("known: {}", fmt::join(ExcitationNames, ", ")));
+    }
+    return static_cast<Excitation>(found - ExcitationNames.begin());
+}
+
+Result<FrequencyResult> runFrequency(devices::Device& device, const FrequencyConfig& config,
+                                     const std::optional<StrayField>& stray,
+                                     const ProcedureObserver& observer) {
+    if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
+        return failure(entered.error());
+    }
+    if (auto able = checkFrequencyBoard(device.catalogue(), config); !able) {
+        return failure(able.error());
+    }
+    auto margins = readFrequencyMargins(device);
+    if (!margins) {
+        return failure(margins.error());
+    }
+    const auto plan = planFrequency(config, *margins);
+    if (!plan) {
+        return failure(plan.error());
+    }
+    auto guard = RestoreGuard::take(device);
+    if (!guard) {
+        return failure(guard.error());
+    }
+    FrequencyRun run{config, *margins, plan->turn_rad_s, stray, {}, {}};
+    auto result = restoredResult(*guard, measure(device, std::move(run), *plan, observer));
+    const auto entered = enterState(observer, result ? ProcedureState::Done : ProcedureState::Restored);
+    if (result && !entered) {
+        return failure(entered.error());
+    }
+    return result;
+}
+
+} // namespace halbench::app

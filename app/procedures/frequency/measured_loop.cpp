@@ -1,0 +1,59 @@
+#include "app/procedures/frequency/measured_loop.h"
+
+#include "control/base/units.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+
+namespace halbench::app {
+
+MeasuredPlant measuredPlant(const FrequencyResult& result) {
+    MeasuredPlant plant;
+    plant.period_s = result.period_s;
+    plant.leastCoherence = result.config.leastCoherence;
+    for (const FrequencyResultPoint& point : result.points) {
+        const std::complex<double> value = point.measured.value;
+        if (std::isfinite(std::norm(value)) && std::norm(value) > 0.0) {
+            plant.points.push_back(
+                {point.measured.frequency_rad_s / (2.0 * Pi), value, point.isUsed, point.measured.coherence});
+        }
+    }
+    return plant;
+}
+
+Result<MeasuredLoop> measuredLoop(const MeasuredPlant& plant, const control::PidGains& gains,
+                                  const control::LoopTiming& timing) {
+    constexpr double Rounding_ratio = 1e-9;
+    if (std::abs(plant.period_s - timing.period_s) > Rounding_ratio * timing.period_s) {
+        return failure(
+            ErrorCode::InvalidInput,
+            fmt::format("the response was measured every {:.4g} ms, this loop runs every {:.4g} ms",
+                        1e3 * plant.period_s, 1e3 * timing.period_s),
+            "measure it on this board");
+    }
+    const auto controller = control::sampledController(gains, timing.period_s);
+    if (!controller) {
+        return failure(controller.error());
+    }
+    MeasuredLoop loop;
+    loop.leastCoherence = plant.leastCoherence;
+    double near_deg = -180.0;
+    for (const MeasuredPlant::Point& point : plant.points) {
+        const double w = 2.0 * Pi * point.frequency_Hz;
+        const std::complex<double> late = std::polar(1.0, -w * timing.period_s * timing.delay_samples);
+        const std::complex<double> L = controller->atFrequency(w) * late * point.value;
+        double phase_deg = radiansToDegrees(std::arg(L));
+        phase_deg += 360.0 * std::round((near_deg - phase_deg) / 360.0);
+        near_deg = point.isUsed ? phase_deg : near_deg;
+        loop.frequency_Hz.push_back(point.frequency_Hz);
+        loop.magnitude_dB.push_back(20.0 * std::log10(std::abs(L)));
+        loop.phase_deg.push_back(phase_deg);
+        loop.isUsed.push_back(point.isUsed);
+        loop.coherence.push_back(point.coherence.value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
+    return loop;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,325 @@
+#include "app/procedures/identify/identify_estimate.h"
+
+#include "control/identify/angle_column.h"
+#include "control/identify/plateau.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace halbench::app {
+namespace {
+
+// What is left of the torque at speed omega is 1 - omega^2 times: T^2/24 of the hold between commutations
+// every T = 1 ms, plus (2 zeta tau)^2/2 - tau^2 of the amplifier's 1 + 3.0e-4 s + 1.52e-8 s^2
+// (resources/help/htm-theory.md sections 3.2 and 3.8).
+constexpr double HoldLoss_s2 = 1e-6 / 24.0 + 0.5 * 3.0e-4 * 3.0e-4 - 1.52e-8;
+
+// Of the lag that is assumed when the data do not tell it: the hold of an unknown loop may be anything up to
+// a tick of 1 ms (uniform: 1/sqrt(12)), the amplifier's 0.3 ms are good to 20 %
+// (resources/help/identification.md section 3.1).
+constexpr double LagError_s = 0.295e-3;
+
+struct Columns {
+    std::vector<double> angle_rad;
+    std::vector<double> current_A;
+    std::vector<double> marker;
+};
+
+std::vector<double> firstColumn(const Recording& recording, std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+        std::vector<double> values = recording.column(name);
+        if (!values.empty()) {
+            return values;
+        }
+    }
+    return {};
+}
+
+/// Time between neighbours that most of them have: lost rows do not change it.
+double usualPeriod_s(const std::vector<double>& time_s) {
+    std::vector<double> periods_s;
+    for (std::size_t row = 1; row < time_s.size(); ++row) {
+        periods_s.push_back(time_s[row] - time_s[row - 1]);
+    }
+    const auto middle = periods_s.begin() + static_cast<std::ptrdiff_t>(periods_s.size() / 2);
+    std::nth_element(periods_s.begin(), middle, periods_s.end());
+    return *middle;
+}
+
+Result<void> checkRows(const std::vector<double>& time_s) {
+    constexpr double LowestRate_Hz = 99.0; // of 100, with the rounding of a file's times
+    constexpr double MostLost_ratio = 0.1;
+    const double period_s = usualPeriod_s(time_s);
+    if (!(period_s * LowestRate_Hz <= 1.0)) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("the recording has {:.3g} rows a second, less than 100", 1.0 / period_s),
+                       "record at 100 Hz or more");
+    }
+    const double expected = (time_s.back() - time_s.front()) / period_s + 1.0;
+    const double lost_ratio = 1.0 - static_cast<double>(time_s.size()) / expected;
+    if (!(lost_ratio <= MostLost_ratio)) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("{:.0f} % of the recording's rows are missing", 1e2 * lost_ratio),
+                       "record again; at most one row in ten may be lost");
+    }
+    return {};
+}
+
+/// A board may measure its position in what is no angle; readers of files convert what can be.
+Result<void> checkUnits(const StreamLayout& layout) {
+    for (const auto& [name, unit] : {std::pair("position", "rad"), std::pair("current_command", "A")}) {
+        const int index = layout.indexOf(name);
+        const std::string& written = index < 0 ? "" : layout.columns[static_cast<std::size_t>(index)].unit;
+        if (!written.empty() && written != unit) {
+            return failure(ErrorCode::InvalidInput,
+                           fmt::format("{} of the recording is in {}, not in {}", name, written, unit),
+                           "a motor is identified from its angle and its current");
+        }
+    }
+    return {};
+}
+
+Result<Columns> takeColumns(const Recording& recording) {
+    constexpr std::size_t FewestRows = 50;
+    if (recording.rows() < FewestRows) {
+        return failure(ErrorCode::InvalidInput, "the recording holds hardly any rows",
+                       "record at least some seconds of motion");
+    }
+    Columns columns;
+    columns.angle_rad = firstColumn(recording, {"position", "position_rad"});
+    columns.current_A = firstColumn(recording, {"current_command", "current_command_A"});
+    columns.marker = firstColumn(recording, {"reference.segment", "reference_segment"});
+    if (columns.angle_rad.empty() || columns.current_A.empty()) {
+        return failure(ErrorCode::InvalidInput, "the recording lacks position or current_command",
+                       "it needs the columns time_s, position_rad and current_command_A");
+    }
+    if (Result<void> inSi = checkUnits(*recording.layout); !inSi) {
+        return failure(inSi.error());
+    }
+    if (Result<void> checked = checkRows(recording.time_s); !checked) {
+        return failure(checked.error());
+    }
+    return columns;
+}
+
+void takeTemperatures(const Recording& recording, IdentifyFits& fits) {
+    bool isFirst = true;
+    for (const char* name : {"coil_temperature.a", "coil_temperature.b"}) {
+        const std::vector<double> values = recording.column(name);
+        if (values.empty()) {
+            continue;
+        }
+        const double start = values.front();
+        fits.startTemperature_degC = isFirst ? start : std::min(fits.startTemperature_degC, start);
+        const double highest = *std::max_element(values.begin(), values.end());
+        fits.highestTemperature_degC = isFirst ? highest : std::max(fits.highestTemperature_degC, highest);
+        isFirst = false;
+    }
+}
+
+// Mean speed of the last two seconds, steady or not.
+std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::span<const double> angle_rad,
+                                         double current_A, const IdentifyConfig& config, IdentifyFits& fits,
+                                         double& error_rad_s) {
+    constexpr double Window_s = 2.0;
+    if (current_A == 0.0 || time_s.back() - time_s.front() < Window_s + 0.02) {
+        return std::nullopt;
+    }
+    const double begin_s = time_s.back() - Window_s - 1e-6;
+    const auto begin =
+        static_cast<std::size_t>(std::lower_bound(time_s.begin(), time_s.end(), begin_s) - time_s.begin());
+    const auto speed = control::fitRippledSpeed(time_s.subspan(begin), angle_rad.subspan(begin));
+    const auto steadiness = control::testSteadiness(time_s, angle_rad, {});
+    if (!speed || !steadiness) {
+        return std::nullopt;
+    }
+    SweepPoint point;
+    point.current_A = current_A;
+    point.speed_rad_s = speed->speed_rad_s;
+    error_rad_s = speed->speedError_rad_s;
+    const double along_rad_s = point.speed_rad_s * std::copysign(1.0, current_A);
+    if (along_rad_s < -config.usableSpeed_rad_s) {
+        point.note = "turns against its current";
+        ++fits.againstPlateaus;
+    } else if (along_rad_s < 0.1 * config.usableSpeed_rad_s) {
+        point.note = "the rotor stopped";
+        ++fits.stoppedPlateaus;
+    } else if (std::fabs(point.speed_rad_s) < config.usableSpeed_rad_s) {
+        point.note = fmt::format("slower than {} rad/s", config.usableSpeed_rad_s);
+        ++fits.slowPlateaus;
+    } else if (!steadiness->isSteady) {
+        point.note = "not steady at its end";
+        ++fits.unsteadyPlateaus;
+    } else {
+        point.isUsed = true;
+    }
+    return point;
+}
+
+// What a loss of torque at speed takes off a steady speed: (phi/c) I L omega^2. Without it the sweep would
+// be no straight line.
+double lostSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point, double loss_s2) {
+    if (!fits.motion || !fits.balance || !(fits.motion->damping_per_s > 0.0)) {
+        return 0.0;
+    }
+    const double gain = fits.balance->torque_rad_s2_A.value_or(0.0) / fits.motion->damping_per_s;
+    return gain * point.current_A * loss_s2 * point.speed_rad_s * point.speed_rad_s;
+}
+
+control::SegmentConfig segmentConfigOf(const IdentifyConfig& config) {
+    control::SegmentConfig segments;
+    segments.slowest_rad_s = config.usableSpeed_rad_s;
+    return segments;
+}
+
+Result<void> askedToEnd(const AbortCheck& check) {
+    return check ? check() : Result<void>();
+}
+
+Result<void> fitSteadySweep(const Recording& recording, const Columns& columns,
+                            const std::vector<control::CurrentPlateau>& plateaus,
+                            const IdentifyConfig& config, const AbortCheck& checkAbort, IdentifyFits& fits) {
+    std::vector<control::SteadyPoint> steady;
+    const double loss_s2 = fits.motion ? fits.motion->torqueLoss_s2 : 0.0;
+    const double lossError_s2 = fits.motion ? fits.motion->torqueLossError_s2 : 0.0;
+    for (const control::CurrentPlateau& plateau : plateaus) {
+        if (auto goesOn = askedToEnd(checkAbort); !goesOn) {
+            return goesOn;
+        }
+        const std::size_t count = plateau.end - plateau.begin;
+        double error_rad_s = 0.0;
+        const auto point = measurePlateau(std::span(recording.time_s).subspan(plateau.begin, count),
+                                          std::span(columns.angle_rad).subspan(plateau.begin, count),
+                                          plateau.current_A, config, fits, error_rad_s);
+        if (!point) {
+            continue;
+        }
+        fits.points.push_back(*point);
+        if (point->isUsed) {
+            steady.push_back({point->current_A, point->speed_rad_s + lostSpeed_rad_s(fits, *point, loss_s2),
+                              error_rad_s, lostSpeed_rad_s(fits, *point, lossError_s2)});
+        }
+    }
+    auto sweep = control::fitFrictionSweep(steady, config.seed);
+    if (!sweep) {
+        fits.sweepProblem = sweep.error().message;
+        return {};
+    }
+    std::size_t row = 0;
+    for (SweepPoint& point : fits.points) {
+        if (point.isUsed) {
+            point.weight = sweep->robustWeights[row++];
+        }
+    }
+    fits.sweep = std::move(*sweep);
+    return {};
+}
+
+// A constant error delta of the angle and the lag tau leave cos(delta + omega tau) of the torque, of which
+// -phi I delta tau omega looks like damping; it changes its sign with the direction and cancels when both
+// were run (resources/help/identification.md section 3.1).
+double oneWayDampingError_per_s(const control::MotionFit& motion, double lag_s) {
+    constexpr double MountingError_rad = 0.0087; // sensors to coils, half a degree
+    const auto balance = control::fitBalance(motion);
+    const bool runsBothWays =
+        std::any_of(motion.balances.begin(), motion.balances.end(), [&motion](const auto& segment) {
+            return segment.direction != motion.balances.front().direction;
+        });
+    if (runsBothWays || !balance) {
+        return 0.0;
+    }
+    double largest_A = 0.0;
+    for (const control::SegmentBalance& segment : motion.balances) {
+        largest_A = std::max(largest_A, segment.current_A);
+    }
+    return balance->torque_rad_s2_A.value_or(0.0) * largest_A * MountingError_rad * lag_s;
+}
+
+Result<void> fitTransients(const Recording& recording, const Columns& columns,
+                           const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
+                           const AbortCheck& checkAbort, IdentifyFits& fits) {
+    const auto segments =
+        control::findMotion(recording.time_s, columns.angle_rad, plateaus, segmentConfigOf(config));
+    control::MotionFitConfig motionConfig;
+    motionConfig.torqueLoss_s2 = HoldLoss_s2 + 0.5 * config.commutationLag_s * config.commutationLag_s;
+    motionConfig.torqueLossError_s2 = config.commutationLag_s * LagError_s;
+    motionConfig.checkAbort = checkAbort;
+    auto motion = control::fitMotion(segments, motionConfig);
+    if (auto goesOn = askedToEnd(checkAbort); !goesOn) {
+        return goesOn; // not a problem of the motion
+    }
+    if (!motion) {
+        fits.motionProblem = motion.error().message;
+        return {};
+    }
+    motion->dampingError_per_s =
+        std::hypot(motion->dampingError_per_s, oneWayDampingError_per_s(*motion, config.commutationLag_s));
+    constexpr double WorstDampingError = 0.25;
+    if (!(motion->dampingError_per_s < WorstDampingError * std::fabs(motion->damping_per_s) + 0.02)) {
+        fits.motionProblem = "the motion does not bend enough to show c/J";
+        return {};
+    }
+    fits.motion = std::move(*motion);
+    auto balance = control::fitBalance(*fits.motion);
+    if (!balance) {
+        fits.balanceProblem = balance.error().message;
+        return {};
+    }
+    fits.balance = std::move(*balance);
+    return {};
+}
+
+} // namespace
+
+Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConfig& config,
+                                  const AbortCheck& checkAbort) {
+    auto columns = takeColumns(recording);
+    if (!columns) {
+        return failure(columns.error());
+    }
+    const auto plateaus =
+        control::findPlateaus(recording.time_s, columns->current_A, columns->marker, segmentConfigOf(config));
+    if (!plateaus) {
+        return failure(plateaus.error());
+    }
+    for (const double angle : columns->angle_rad) {
+        if (!std::isfinite(angle)) {
+            return failure(ErrorCode::NotFinite, "an angle of the recording is not a number",
+                           "cut the damaged rows out");
+        }
+    }
+    IdentifyFits fits;
+    fits.lostRows = recording.lostRows;
+    fits.isSpeedColumn = control::looksLikeSpeed(columns->angle_rad, *plateaus);
+    if (auto unwrapped = control::unwrapAngle(columns->angle_rad); unwrapped.period_rad) {
+        fits.wrap_rad = unwrapped.period_rad;
+        columns->angle_rad = std::move(unwrapped.angle_rad);
+    }
+    takeTemperatures(recording, fits);
+    if (auto done = fitTransients(recording, *columns, *plateaus, config, checkAbort, fits); !done) {
+        return failure(done.error());
+    }
+    if (fits.motion) {
+        columns->angle_rad = control::correctedAngle_rad(*fits.motion, columns->angle_rad);
+    }
+    if (auto done = fitSteadySweep(recording, *columns, *plateaus, config, checkAbort, fits); !done) {
+        return failure(done.error());
+    }
+    return fits;
+}
+
+Result<IdentifyResult> identifyRecording(const Recording& recording, const IdentifyConfig& config,
+                                         const AbortCheck& checkAbort) {
+    const auto fits = fitRecording(recording, config, checkAbort);
+    if (!fits) {
+        return failure(fits.error());
+    }
+    IdentifyResult result = judgeFits(*fits, config);
+    result.duration_s = recording.time_s.back() - recording.time_s.front();
+    return result;
+}
+
+} // namespace halbench::app

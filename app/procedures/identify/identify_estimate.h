@@ -1,0 +1,37 @@
+#pragma once
+
+#include "app/procedures/identify/identify_procedure.h"
+#include "control/identify/motion_fit.h"
+
+#include <optional>
+
+namespace halbench::app {
+
+/// What a recording of run-ups, plateaus and coast-downs gave, before it is judged.
+struct IdentifyFits {
+    std::optional<control::MotionFit> motion;
+    std::optional<control::BalanceFit> balance;
+    std::optional<control::FrictionSweep> sweep;
+    std::vector<SweepPoint> points;
+    std::uint64_t stoppedPlateaus = 0;
+    std::uint64_t slowPlateaus = 0;
+    std::uint64_t unsteadyPlateaus = 0;
+    std::uint64_t againstPlateaus = 0; ///< that turn against their current
+    bool isSpeedColumn = false;        ///< the angle's column holds a speed
+    std::string motionProblem;         ///< why there is no motion fit
+    std::string balanceProblem;
+    std::string sweepProblem;
+    double startTemperature_degC = 25.0;
+    double highestTemperature_degC = 25.0;
+    std::uint64_t lostRows = 0;
+    std::optional<double> wrap_rad; ///< at which the angle jumped back
+};
+
+/// Errors: InvalidInput (columns missing, rate below 100 Hz, no rows), NotFinite, that of `checkAbort`.
+Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConfig& config,
+                                  const AbortCheck& checkAbort = {});
+
+/// Values, intervals, verdict and findings from the fits.
+IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config);
+
+} // namespace halbench::app

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "app/procedures/tune/loop_uncertainty.h"
+#include "models/plants/loop_replay.h"
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace halbench::app {
+
+/// A motor as one run of a move may find it: from what the identification allows, with the friction of that
+/// run and of rest.
+struct RunMotor {
+    control::PositionPlant plant;
+    double friction_ratio = 1.0; ///< of this run over K_f
+    double static_ratio = 1.0;   ///< K_s / K_f
+};
+
+/// Assumed where nobody measured it (resources/help/htm-theory.md section 9).
+constexpr double RunScatter_ratio = 0.033;  ///< of K_f from run to run, 1 sigma
+constexpr double MostStatic_ratio = 1.15;   ///< K_s is drawn between K_f and this
+constexpr std::size_t MotionBandStride = 5; ///< rows of a band, in rows of a motion: 5 ms
+
+/// Deterministic for a seed; draws that are no motor are left out. Errors: Refused (a motor without
+/// covariance); of plantFromEstimate.
+Result<std::vector<RunMotor>> drawRuns(const MotorEstimate& estimate, const UncertaintyDraws& draws,
+                                       double scatter_ratio = RunScatter_ratio);
+
+/// As many of them as a band of motions is made of. Errors: as of drawRuns().
+Result<std::vector<RunMotor>> bandMotors(const MotorEstimate& estimate, const UncertaintyDraws& draws);
+
+/// What replayLoop() needs of a motor: only its ratios count.
+models::LoopReplayConfig replayOf(const RunMotor& motor, const models::PositionLaw& law,
+                                  std::span<const models::ReferencePoint> reference, std::size_t rows);
+
+/// Where nine tenths of the motions lie, point by point, MotionBandStride milliseconds apart.
+struct MotionBand {
+    std::vector<double> time_s;
+    control::Band angle_rad;
+};
+/// `run` gives the angle of one motor, `rows` milliseconds of it. At least one motor.
+MotionBand motionBand(const std::vector<RunMotor>& motors, std::size_t rows,
+                      const std::function<std::vector<double>(const RunMotor&)>& run);
+
+/// Where a healthy motor's motion lies: the band of the motors, twice as wide, and 1.7 degrees more for what
+/// no model holds. `reference` as of replayLoop().
+MotionBand expectedMotion(const std::vector<RunMotor>& motors, const models::PositionLaw& law,
+                          std::span<const models::ReferencePoint> reference, std::size_t rows);
+
+/// What holds both.
+MotionBand hullOf(const MotionBand& one, const MotionBand& other);
+
+/// By `factor` about its middle, and by `more_rad` at both sides.
+MotionBand widened(const MotionBand& band, double factor, double more_rad);
+
+/// The least such factor with which nineteen of twenty points of a motion lie inside; 0: all are within
+/// `more_rad` of the middle. Infinite for a motion that holds a value which is no number.
+double neededWidening_ratio(const MotionBand& band, std::span<const double> angle_rad, double more_rad);
+
+} // namespace halbench::app

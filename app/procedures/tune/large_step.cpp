@@ -1,0 +1,121 @@
+#include "app/procedures/tune/large_step.h"
+
+#include "control/law/board_gains.h"
+#include "control/law/shaped_position_law.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <functional>
+#include <utility>
+
+namespace halbench::app {
+
+namespace {
+
+models::PositionLaw boardLaw(const control::PositionLaw& law, const LoopConditions& conditions) {
+    models::PositionLaw result;
+    result.kp_A_per_rad = law.gains.proportional;
+    result.ki_A_per_rad_s = law.gains.integral;
+    result.kd_As_per_rad = law.gains.derivative;
+    result.inertia_As2_per_rad = law.inertia_A_s2_rad;
+    result.viscous_As_per_rad = law.viscous_A_s_rad;
+    result.coulomb_A = law.coulomb_A;
+    result.coulombSpeed_rad_s = law.coulombSpeed_rad_s;
+    result.stiction_A = law.stictionCurrent_A;
+    result.stictionThreshold_rad = law.stictionThreshold_rad;
+    result.stictionSpeed_rad_s = law.stictionSpeed_rad_s;
+    result.limit_A = conditions.currentLimit_A;
+    result.period_s = conditions.timing.period_s;
+    result.delaySamples = conditions.timing.delay_samples;
+    return result;
+}
+
+using Controller = std::function<double(const models::ReferencePoint&, double)>;
+
+/// What computes a shaped law in the place of the simulated board, with its delay.
+Result<Controller> shapedController(const LoopLaw& law, const LoopConditions& conditions) {
+    const auto made = control::ShapedPositionLaw::make(*law.shaped, law.law, conditions.timing.period_s,
+                                                       conditions.currentLimit_A);
+    if (!made) {
+        return failure(made.error());
+    }
+    std::deque<double> pending_A(static_cast<std::size_t>(conditions.timing.delay_samples), 0.0);
+    return Controller(
+        [running = *made, pending_A](const models::ReferencePoint& reference, double angle_rad) mutable {
+            pending_A.push_back(running.step(
+                {reference.value_rad, reference.speed_rad_s, reference.acceleration_rad_s2}, angle_rad));
+            const double current_A = pending_A.front();
+            pending_A.pop_front();
+            return current_A;
+        });
+}
+
+} // namespace
+
+Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const LoopConditions& conditions) {
+    const auto gains = control::boardGains(law.gains);
+    if (!gains) {
+        return failure(gains.error());
+    }
+    control::PositionLaw converted = law;
+    converted.gains = *gains;
+    return boardLaw(converted, conditions);
+}
+
+Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
+                                   const LoopConditions& conditions, double amplitude_rad,
+                                   double duration_s) {
+    const auto simulated = simulatedLaw(law.law, conditions);
+    const auto controller = law.shaped ? shapedController(law, conditions) : Result<Controller>(Controller());
+    if (!simulated || !controller) {
+        return failure(simulated ? controller.error() : simulated.error());
+    }
+    constexpr double ShortestPeriod_s = 1e-5; // two million rows in 20 s
+    if (conditions.timing.period_s < ShortestPeriod_s) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("a step of {:.0f} s is not simulated with a sampling period of {} s",
+                                   duration_s, conditions.timing.period_s),
+                       fmt::format("give a period of {} s or more", ShortestPeriod_s));
+    }
+    // Motion depends on the ratios alone, so the motor may as well have an inertia of 1.
+    models::IdealLoopConfig config;
+    config.rotor.inertia_kg_m2 = 1.0;
+    config.rotor.viscousDamping_Nm_s = plant.dampingRate_1_s;
+    config.rotor.coulombFriction_Nm = plant.breakawayCurrent_A * plant.accelerationGain_rad_s2_A;
+    config.torqueConstant_Nm_per_A = plant.accelerationGain_rad_s2_A;
+    config.law = *simulated;
+    config.controller = *controller;
+    config.reference.amplitude_rad = amplitude_rad;
+    config.duration_s = duration_s;
+    models::IdealTrace trace = models::runIdealLoop(config);
+    const auto metrics = control::measureStep(trace.time_s, trace.angle_rad, 0.0, amplitude_rad);
+    if (!metrics) {
+        return failure(metrics.error());
+    }
+    return LargeStep{amplitude_rad, *metrics, std::move(trace)};
+}
+
+Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
+                                   const LoopConditions& conditions, double amplitude_rad) {
+    constexpr double Usual_s = 5.0;
+    constexpr double Longest_s = 20.0;
+    auto step = predictLargeStep(plant, law, conditions, amplitude_rad, Usual_s);
+    return step && !step->hasArrived() ? predictLargeStep(plant, law, conditions, amplitude_rad, Longest_s)
+                                       : step;
+}
+
+bool LargeStep::hasArrived() const {
+    const double near_rad = (1.0 - control::StepThresholds().settlingBand_ratio) * std::abs(amplitude_rad);
+    return std::any_of(trace.angle_rad.begin(), trace.angle_rad.end(), [&](double angle_rad) {
+        return std::copysign(1.0, amplitude_rad) * angle_rad >= near_rad;
+    });
+}
+
+std::optional<double> LargeStep::overshoot_percent() const {
+    return hasArrived() ? std::optional(metrics.overshoot_percent) : std::nullopt;
+}
+
+} // namespace halbench::app

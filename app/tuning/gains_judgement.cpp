@@ -1,0 +1,86 @@
+#include "app/tuning/gains_judgement.h"
+
+#include "app/documents/result_header.h"
+#include "app/documents/shaped_gains.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr const char* UnnamedMethod = "file"; // of gains that do not say how they were found
+
+bool isPresetItself(const GainsFile& gains, const TuneResult& judged) {
+    const auto law = control::designLaw(gains.method, judged.plant, judged.conditions.timing, {});
+    return law && !gains.shaped && isSameLaw(*law, gains.law);
+}
+
+} // namespace
+
+Result<TuneResult> judgeGains(const GainsFile& gains, const MotorEstimate& estimate,
+                              const LoopConditions& conditions, const JudgedWith& with) {
+    TuneConfig config;
+    config.method = gains.method.empty() ? UnnamedMethod : gains.method;
+    config.targets = gains.targets;
+    config.conditions = conditions;
+    config.seed = with.seed;
+    config.load_A = with.load_A;
+    auto judged = judgeLaw(estimate, gains.loopLaw(), config);
+    if (judged && !judged->predicted.isStable && !isPresetItself(gains, *judged)) {
+        judged->quality.verdict = Verdict::Refused;
+    }
+    return judged;
+}
+
+std::optional<Finding> foreignGains(const GainsFile& gains, const devices::DeviceInfo& device) {
+    if (!foreignMotor(gains.device, device)) {
+        return std::nullopt;
+    }
+    const bool isNamed = gains.device->model != device.model || gains.device->id != device.id;
+    return Finding{"other_device",
+                   isNamed ? fmt::format("the gains were found for the {} '{}', this device is the {} '{}'",
+                                         gains.device->model, gains.device->id, device.model, device.id)
+                           : fmt::format("the gains were found for '{}' with other overrides than this "
+                                         "device has",
+                                         gains.device->id),
+                   "identify this device and tune with that model"};
+}
+
+std::optional<Finding> otherTiming(const control::LoopTiming& designed, const control::LoopTiming& now) {
+    if (designed == now) {
+        return std::nullopt;
+    }
+    return Finding{
+        "other_timing",
+        fmt::format("the gains are for {:.4g} s with {} samples of delay, this device has {:.4g} s "
+                    "and {}: they are judged as they would run on it",
+                    designed.period_s, designed.delay_samples, now.period_s, now.delay_samples),
+        "design them for the timing of this device"};
+}
+
+void addFinding(TuneResult& result, const Finding& finding) {
+    result.quality.findings.push_back(finding);
+    result.warnings.push_back(finding);
+}
+
+Result<void> checkJudgement(const TuneResult& result) {
+    if (result.shaped) {
+        return notOnBoard("--apply");
+    }
+    if (result.quality.verdict != Verdict::Refused) {
+        return {};
+    }
+    const auto& findings = result.quality.findings;
+    const auto unstable = std::find_if(findings.begin(), findings.end(),
+                                       [](const Finding& finding) { return finding.code == "unstable"; });
+    const bool isKnown = unstable != findings.end();
+    return failure(ErrorCode::Refused,
+                   isKnown ? unstable->message + "; nothing was written"
+                           : std::string("these gains are refused; nothing was written"),
+                   isKnown ? unstable->hint : std::string("see their findings"));
+}
+
+} // namespace halbench::app

@@ -1,0 +1,122 @@
+#include "app/workbench/display_quantity.h"
+
+#include "control/base/unit_text.h"
+#include "control/base/units.h"
+#include "widgets/language/phrasebook.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <string_view>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr char Degree[] = "\u00b0";
+constexpr char DegreePerSecond[] = "\u00b0/s";
+constexpr char Context[] = "halbench::app::DisplayQuantity";
+
+struct Row {
+    const char* symbol;
+    const char* quantity;
+    const char* unit;
+    double factor;
+    int decimals;
+    double typical;
+};
+
+constexpr Row Rows[] = {
+    {"rad", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "angle"), Degree, 180.0 / Pi, 2, 99999.0},
+    {"rad", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "angle"), "rad", 1.0, 4, 9999.0},
+    {"rad/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "speed"),
+     QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "r/min"), 30.0 / Pi, 1, 9999.0},
+    {"rad/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "speed"), DegreePerSecond, 180.0 / Pi, 1,
+     99999.0},
+    {"rad/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "speed"), "rad/s", 1.0, 2, 999.0},
+    {"A", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "current"), "A", 1.0, 3, 9.0},
+    {"T", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "field"), "mT", 1000.0, 2, 999.0},
+    {"degC", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "temperature"), "\u00b0C", 1.0, 1, 999.0},
+    {"s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "time"), "s", 1.0, 3, 999.0},
+    {"Hz", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "frequency"), "Hz", 1.0, 2, 999.0},
+    {"A/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "current slope"), "A/s", 1.0, 2, 99.0},
+    {"1", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "ratio"), "", 1.0, 4, 999.0},
+    {"", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "state"), "", 1.0, 0, 9999.0},
+};
+
+/// As the rows above write it; empty where nobody has a choice.
+std::string_view wantedUnit(const std::string& symbol, const DisplayUnits& units) {
+    if (symbol == "rad") {
+        return units.angle == widgets::AngleUnit::Degree ? Degree : "rad";
+    }
+    if (symbol == "rad/s") {
+        return units.speed == SpeedUnit::TurnsPerMinute     ? "r/min"
+               : units.speed == SpeedUnit::DegreesPerSecond ? DegreePerSecond
+                                                            : "rad/s";
+    }
+    return {};
+}
+
+struct Words {
+    const char* name;
+    const char* words;
+};
+
+constexpr Words Signals[] = {
+    {"position", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Angle")},
+    {"speed", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Speed")},
+    {"reference", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Reference")},
+    {"current_command", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Current command")},
+    {"current.a", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Current A")},
+    {"current.b", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Current B")},
+    {"hall.a", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Hall A")},
+    {"hall.b", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Hall B")},
+    {"coil_temperature.a", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Coil A")},
+    {"coil_temperature.b", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Coil B")},
+    {"status", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Board state")},
+    {"fault", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Fault code")},
+    {"torn_count", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Torn parameter sets")},
+    {"reference.segment", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Generator segment")},
+    {"reference.running", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Generator running")},
+    {"capture.state", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Capture state")},
+    {"capture.time", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Capture time")},
+    {"truth.position", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True angle")},
+    {"truth.speed", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True speed")},
+};
+
+} // namespace
+
+DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& units) {
+    const std::string_view wanted = wantedUnit(symbol, units);
+    for (const Row& row : Rows) {
+        if (symbol == row.symbol && (wanted.empty() || wanted == row.unit)) {
+            return {QCoreApplication::translate(Context, row.quantity),
+                    QCoreApplication::translate(Context, row.unit), row.factor, row.decimals, row.typical};
+        }
+    }
+    const std::optional<Unit> unit = findUnit(symbol);
+    const QString quantity = unit ? widgets::inWords(std::string(unit->quantity)) : QString();
+    return {quantity, QString::fromStdString(unitText(symbol)), 1.0, 4, 999.0};
+}
+
+double shownStep(const DisplayQuantity& shown, double step) {
+    return std::pow(10.0, std::round(std::log10(step * shown.factor)));
+}
+
+QString angleText(double angle_rad, const DisplayUnits& units, int significantDigits) {
+    const widgets::DisplayUnit shown = widgets::displayUnit("rad", units.angle);
+    const bool isDegree = units.angle == widgets::AngleUnit::Degree;
+    return widgets::numberText(angle_rad * shown.factor, significantDigits) +
+           (isDegree ? QString::fromUtf8(Degree) : QStringLiteral(" rad"));
+}
+
+QString signalWords(const std::string& name) {
+    for (const Words& row : Signals) {
+        if (name == row.name) {
+            return QCoreApplication::translate(Context, row.words);
+        }
+    }
+    return QString::fromStdString(name);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "app/workbench/drive_control.h"
+#include "app/workbench/workbench.h"
+#include "app/workspaces/parts/focus_rest.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QGroupBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace halbench::widgets {
+class ElidedLabel;
+class MessageBar;
+class QuantityEdit;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+class DriveLimits;
+class JogRow;
+class ReferenceForm;
+
+/// Moving the actuator by hand: arm, mode, set-point, jog, reference generator, limits, faults in words
+/// (resources/help/monitor.md, "Drive").
+class DrivePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DrivePanel(Workbench& bench, QWidget* parent = nullptr);
+    ~DrivePanel() override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void buildArm(QVBoxLayout* column);
+    void buildSetpoint(QVBoxLayout* column);
+    void buildReference(QVBoxLayout* column);
+    void buildLimits(QVBoxLayout* column);
+    void onMessageAction();
+    void endQuestion();
+    void showOrigin();
+    void showSetpoint();
+    void onSetpoint();
+    void onSetpointRefused(const QString& text);
+    void onStartReference();
+    void refresh();
+    void refreshForeign();
+    void refreshStop();
+    void refreshMode();
+    void refreshState();
+    void refreshUnits();
+    void dressSetpoint();
+    double factor() const; ///< of the set-point: shown over rad or A
+    QString valueText(double value) const;
+    void onUnits();
+    void refreshLive();
+    static QString startHelp();
+    void takePeak();
+    void describeMotion();
+    double commanded_rad() const; ///< from where it was armed
+    void forgetError();
+    void showError(const QString& text, const QString& remedy);
+
+    enum class Asking { Nothing, Consent, Release, NothingToDrive };
+
+    Workbench& m_bench;
+    DriveControl& m_control;
+    Asking m_asking = Asking::Nothing;
+    bool m_isJustRefused = false; ///< a set-point, in this turn of the event loop
+    bool m_isGoRefused = false;   ///< the press of Go that made its text leave the field
+    bool m_wasArmed = false;
+    devices::BoardMode m_shownMode; ///< whose units the fields have
+    DisplayUnits m_units;           ///< that they show
+    QTimer m_frame;                 ///< ten times a second
+    widgets::MessageBar* m_message = nullptr;
+    widgets::ElidedLabel* m_state; ///< of the board
+    FocusRest m_rest;              ///< there
+    double m_peak = 0.0;           ///< of the reference that Start would send
+    double m_shownSetpoint = 0.0;  ///< the one that the field has followed
+    QLabel* m_from = nullptr;      ///< what the set-point counts from
+    widgets::QuantityEdit* m_setpoint = nullptr;
+    QPushButton* m_go = nullptr;
+    QPushButton* m_zero = nullptr;
+    QLabel* m_setpointNow = nullptr;
+    JogRow* m_jog = nullptr;
+    ReferenceForm* m_reference = nullptr;
+    QLabel* m_motion = nullptr;
+    QPushButton* m_start = nullptr;
+    QPushButton* m_end = nullptr;
+    DriveLimits* m_limits = nullptr;
+};
+
+} // namespace halbench::app

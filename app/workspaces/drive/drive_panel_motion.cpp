@@ -1,0 +1,92 @@
+// What the Drive panel says of the motion: where it counts from, where it is, how far the next one goes.
+#include "app/workspaces/drive/drive_panel.h"
+#include "app/workspaces/drive/reference_form.h"
+#include "app/workspaces/parts/panel_parts.h"
+#include "widgets/controls/quantity_edit.h"
+
+#include <QLabel>
+#include <QPushButton>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halbench::app {
+
+using devices::BoardMode;
+
+/// Beside the field, not only in its tooltip: a set-point means nothing without it.
+void DrivePanel::showOrigin() {
+    const auto origin_rad = m_control.origin_rad();
+    const QString at = origin_rad ? tr(" (at %1)").arg(valueText(*origin_rad)) : QString();
+    m_from->setText(m_control.mode() != BoardMode::Position ? tr("Current")
+                    : !m_control.isArmed()                  ? tr("Angle from where it will be armed")
+                    : m_control.isOriginOfMode()            ? tr("Angle from where the mode was chosen") + at
+                                                            : tr("Angle from where it was armed") + at);
+}
+
+void DrivePanel::showSetpoint() {
+    const double held_rad = m_control.held_rad();
+    QString words = m_control.canMove()                  ? tr("Now %1").arg(valueText(m_control.setpoint()))
+                    : m_control.awaitsOrigin()           ? tr("Waits for a sample of the angle.")
+                    : m_asking != Asking::NothingToDrive ? tr("Arm first; set-points start at zero.")
+                                                         : QString();
+    if (m_control.canMove() && m_control.mode() == BoardMode::Position && held_rad != 0.0) {
+        words = tr("Now %1, beside %2 by jog or reference")
+                    .arg(valueText(m_control.setpoint()), valueText(held_rad));
+    }
+    m_setpointNow->setText(words);
+    const double back = m_control.goal();
+    const QString zero =
+        back == 0.0 ? tr("Sends the set-point zero")
+        : m_control.isLeap(0.0)
+            ? tr("Sends the set-point zero: moves back %1 at the jog speed").arg(valueText(back))
+            : tr("Sends the set-point zero: steps back %1").arg(valueText(back));
+    if (m_zero->toolTip() != zero) {
+        m_zero->setToolTip(zero);
+        m_zero->setAccessibleDescription(zero);
+    }
+    if (std::exchange(m_shownSetpoint, back) != back && !m_setpoint->hasFocus()) {
+        m_setpoint->setValue(back * factor()); // a Go that follows moves nothing
+    }
+}
+
+void DrivePanel::takePeak() {
+    m_peak = m_reference->peak();
+    describeMotion();
+}
+
+double DrivePanel::commanded_rad() const {
+    const bool isHeld = m_control.isArmed() && m_control.mode() == BoardMode::Position;
+    return isHeld ? m_control.setpoint() + m_control.held_rad() : 0.0;
+}
+
+/// What starting would do, before it is done: each start adds its way to where the one before has ended.
+void DrivePanel::describeMotion() {
+    const bool isAngle = m_control.mode() == BoardMode::Position;
+    const double before = std::max(m_control.excursion_rad(), std::abs(commanded_rad()));
+    QString words = isAngle ? tr("Moves up to %1 from where it is.").arg(valueText(m_peak))
+                            : tr("Commands up to %1.").arg(valueText(m_peak));
+    if (isAngle && commanded_rad() != 0.0) {
+        words = tr("Moves up to %1 from where it is, then up to %2 from where it was armed.")
+                    .arg(valueText(m_peak), valueText(std::abs(commanded_rad()) + m_peak));
+    }
+    const double window_rad = m_bench.deviceValue("window.position").value_or(0.0);
+    const bool isWatched = m_bench.deviceValue("window.position_enabled").value_or(0.0) > 0.5;
+    const std::optional<double> limit_A = m_bench.deviceValue("limit.current");
+    const bool isTooFar = isAngle && isWatched && before + m_peak > window_rad;
+    const bool isTooMuch = !isAngle && limit_A && m_peak > *limit_A;
+    if (isTooFar || isTooMuch) {
+        words += QLatin1Char(' ') + tr("That is beyond the limit: the board may stop it.");
+    }
+    const bool isBusy = m_control.canMove() && m_control.isRunning();
+    if (isBusy) {
+        words = tr("Start waits until this motion has ended, or End ends it.");
+    }
+    m_motion->setText(words);
+    m_start->setToolTip(isBusy ? words : startHelp());
+    m_start->setAccessibleDescription(m_start->toolTip());
+    showRole(*m_motion, !isBusy && (isTooFar || isTooMuch) ? widgets::Role::Warn : widgets::Role::Muted);
+}
+
+} // namespace halbench::app

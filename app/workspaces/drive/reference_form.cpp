@@ -1,0 +1,267 @@
+#include "app/workspaces/drive/reference_form.h"
+
+#include "app/workspaces/drive/reference_fields.h"
+#include "app/workspaces/parts/number_check.h"
+#include "app/workspaces/parts/panel_parts.h"
+#include "control/base/units.h"
+#include "widgets/controls/quantity_edit.h"
+#include "widgets/language/display_units.h"
+#include "widgets/language/number_words.h"
+#include "widgets/theme/theme_style.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr std::size_t MostPlateaus = 32;
+
+} // namespace
+
+ReferenceForm::ReferenceForm(QWidget* parent) : QWidget(parent) {
+    m_rows = new QFormLayout(this);
+    m_rows->setContentsMargins(0, 0, 0, 0);
+    m_rows->setSpacing(widgets::GridStep_px);
+    m_shape = new QComboBox(this);
+    m_shape->setAccessibleName(tr("Shape of the reference"));
+    m_shape->setToolTip(tr("What the board's generator adds to the set-point"));
+    m_rows->addRow(tr("Shape"), m_shape);
+    for (const ReferenceFieldSpec& spec : referenceFields()) {
+        addNumber(spec.field);
+    }
+    m_currents = new QLineEdit(QStringLiteral("1.6; 2; 2.4; 2.8"), this);
+    m_currents->setAccessibleName(tr("Currents of the plateaus in ampere"));
+    m_currents->setToolTip(
+        tr("Up to 32 currents in A, one after the other, with spaces or semicolons between"));
+    label(m_currents, tr("Currents (A)"));
+    fillShapes();
+    refresh();
+    connect(m_shape, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ReferenceForm::refresh);
+    connect(m_currents, &QLineEdit::textChanged, this, &ReferenceForm::changed);
+}
+
+void ReferenceForm::addNumber(Field field) {
+    auto* box = makeNumberField({}, this);
+    m_numbers[field] = box;
+    m_checks[field] = new NumberCheck(*box);
+    connect(m_checks.at(field), &NumberCheck::refused, this, &ReferenceForm::refused);
+    label(box, tr(referenceField(field).title));
+    connect(box, QOverload<double>::of(&widgets::QuantityEdit::valueChanged), this, &ReferenceForm::changed);
+}
+
+void ReferenceForm::fillShapes() {
+    const QSignalBlocker quiet(m_shape);
+    const int before = m_shape->currentIndex();
+    m_shape->clear();
+    const int shapes = isPosition() ? PlateausShape - 1 : PlateausShape;
+    for (int code = 1; code <= shapes; ++code) {
+        m_shape->addItem(tr(referenceShape(code).title));
+    }
+    m_shape->setCurrentIndex(std::clamp(before, 0, shapes - 1));
+    for (const ReferenceFieldSpec& spec : referenceFields()) {
+        widgets::QuantityEdit* box = m_numbers.at(spec.field);
+        const QSignalBlocker quietBox(box);
+        dress(spec.field);
+        if (before < 0 || isAngular(spec.field)) {
+            const ReferenceRange& range = isPosition() ? spec.angle : spec.current;
+            const bool isInDegrees = isPosition() && isAngular(spec.field);
+            const double initial = isInDegrees ? degreesToRadians(range.initial) : range.initial;
+            box->setValue(initial * shownAs(spec.field).factor);
+        }
+    }
+}
+
+/// As shown by the field; only angles and speeds depend on what the user prefers.
+DisplayQuantity ReferenceForm::shownAs(Field field) const {
+    const ReferenceFieldSpec& spec = referenceField(field);
+    if (isPosition() && isAngular(field)) {
+        return displayQuantity(spec.angleUnit, m_units);
+    }
+    const QString unit = QString::fromUtf8(isPosition() ? spec.angleUnit : spec.currentUnit);
+    return {{}, unit, 1.0, (isPosition() ? spec.angle : spec.current).decimals, 1.0};
+}
+
+void ReferenceForm::dress(Field field) {
+    const ReferenceFieldSpec& spec = referenceField(field);
+    const DisplayQuantity shown = shownAs(field);
+    ReferenceRange range = isPosition() ? spec.angle : spec.current;
+    if (isPosition() && isAngular(field)) {
+        range = {degreesToRadians(range.min) * shown.factor, degreesToRadians(range.max) * shown.factor, 0.0,
+                 shownStep(shown, degreesToRadians(range.step)), shown.decimals};
+    }
+    dressNumberField(*m_numbers.at(field), {tr(spec.title), tr(spec.help), shown.unit, range.decimals,
+                                            range.min, range.max, range.step});
+}
+
+void ReferenceForm::setUnits(const DisplayUnits& units) {
+    if (units == m_units) {
+        return;
+    }
+    std::map<Field, double> values;
+    for (const ReferenceFieldSpec& spec : referenceFields()) {
+        values[spec.field] = m_numbers.at(spec.field)->value() / shownAs(spec.field).factor;
+    }
+    m_units = units;
+    for (const auto& [field, value] : values) {
+        const QSignalBlocker quiet(m_numbers.at(field));
+        dress(field);
+        m_numbers.at(field)->setValue(value * shownAs(field).factor);
+    }
+    Q_EMIT changed();
+}
+
+void ReferenceForm::setMode(devices::BoardMode mode) {
+    const bool wasPosition = isPosition();
+    m_mode = mode;
+    if (wasPosition != isPosition()) {
+        fillShapes();
+        refresh();
+    }
+}
+
+int ReferenceForm::shape() const {
+    return m_shape->currentIndex() + 1;
+}
+
+void ReferenceForm::label(QWidget* field, const QString& title) {
+    m_labels[field] = new QLabel(title, this);
+    m_labels[field]->setBuddy(field);
+}
+
+/// Only the rows of the shape are laid out: a hidden row would leave its gap.
+void ReferenceForm::refresh() {
+    while (m_rows->rowCount() > 1) {
+        const QFormLayout::TakeRowResult row = m_rows->takeRow(1);
+        delete row.labelItem;
+        delete row.fieldItem;
+    }
+    const auto show = [this](QWidget* field, bool isShown) {
+        if (isShown) {
+            m_rows->addRow(m_labels.at(field), field);
+        }
+        field->setVisible(isShown);
+        m_labels.at(field)->setVisible(isShown);
+    };
+    for (const ReferenceFieldSpec& spec : referenceFields()) {
+        show(m_numbers.at(spec.field), hasField(shape(), spec.field));
+    }
+    show(m_currents, shape() == PlateausShape);
+    Q_EMIT changed();
+}
+
+double ReferenceForm::valueOf(Field field) const {
+    if (!hasField(shape(), field)) {
+        return 0.0;
+    }
+    return m_numbers.at(field)->value() / shownAs(field).factor;
+}
+
+/// In the current modes its angles are currents; the board's generator does not know the difference.
+MoveReference ReferenceForm::reference() const {
+    MoveReference reference;
+    reference.shape = static_cast<MoveReference::Shape>(shape());
+    reference.amplitude_rad = valueOf(Field::Amplitude);
+    reference.rate_rad_s = valueOf(Field::Rate);
+    reference.frequency_Hz = valueOf(Field::Frequency);
+    reference.frequencyEnd_Hz = valueOf(Field::FrequencyEnd);
+    reference.period_s = std::max(valueOf(Field::Period), 0.001);
+    reference.count = std::max(static_cast<int>(valueOf(Field::Count)), 1);
+    reference.base_rad_s = valueOf(Field::Base);
+    reference.seed = static_cast<std::uint32_t>(valueOf(Field::Seed));
+    return reference;
+}
+
+Result<std::vector<double>> ReferenceForm::plateaus_A() const {
+    std::vector<double> currents_A;
+    const QStringList words = m_currents->text()
+                                  .replace(QLatin1Char(';'), QLatin1Char(' '))
+                                  .simplified()
+                                  .split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    for (const QString& word : words) {
+        const std::optional<double> current_A = widgets::parseNumber(word);
+        if (!current_A) {
+            return failure(ErrorCode::InvalidInput, tr("'%1' is not a current.").arg(word).toStdString(),
+                           (widgets::numberProblem(word) + QLatin1Char(' ') +
+                            tr("Write currents in A, e.g. 1.6; 2; 2.4."))
+                               .toStdString());
+        }
+        currents_A.push_back(*current_A);
+    }
+    if (currents_A.empty() || currents_A.size() > MostPlateaus) {
+        return failure(ErrorCode::OutOfRange,
+                       tr("There are %1 plateaus.").arg(static_cast<int>(currents_A.size())).toStdString(),
+                       tr("The board takes 1 to 32.").toStdString());
+    }
+    return currents_A;
+}
+
+Result<std::vector<ParameterValue>> ReferenceForm::plateauValues() const {
+    const Result<std::vector<double>> currents_A = plateaus_A();
+    if (!currents_A) {
+        return failure(currents_A.error());
+    }
+    std::vector<ParameterValue> values{{"reference.shape", PlateausShape},
+                                       {"reference.base", 0.0},
+                                       {"plateau.dwell", valueOf(Field::Dwell)},
+                                       {"plateau.count", static_cast<double>(currents_A->size())}};
+    for (std::size_t i = 0; i < currents_A->size(); ++i) {
+        values.push_back({"plateau.current_" + std::to_string(i + 1), (*currents_A)[i]});
+    }
+    return values;
+}
+
+Result<std::vector<ParameterValue>> ReferenceForm::takeValues() {
+    for (const auto& [field, check] : m_checks) {
+        if (!hasField(shape(), field)) {
+            continue;
+        }
+        if (const Result<double> taken = check->take(); !taken) {
+            return failure(taken.error());
+        }
+    }
+    if (shape() == PlateausShape) {
+        return plateauValues();
+    }
+    const MoveReference wanted = reference();
+    if (auto complete = checkMoveReference(wanted); !complete) {
+        return failure(complete.error());
+    }
+    const double duration_s = valueOf(Field::Duration);
+    std::vector<ParameterValue> values = generatorParameters(wanted, duration_s);
+    for (ParameterValue& value : values) {
+        if (value.name == "reference.duration") {
+            value.value = std::max(duration_s, 0.001); // by hand it ends when it says so
+        }
+    }
+    return values;
+}
+
+double ReferenceForm::peak() const {
+    if (shape() == PlateausShape) {
+        const Result<std::vector<double>> currents_A = plateaus_A();
+        double peak_A = 0.0;
+        for (const double current_A : currents_A ? *currents_A : std::vector<double>()) {
+            peak_A = std::max(peak_A, std::fabs(current_A));
+        }
+        return peak_A;
+    }
+    const double base = valueOf(Field::Base);
+    MoveReference wanted = reference();
+    if (!isPosition()) {
+        wanted.base_rad_s = 0.0;
+    }
+    const double time_s = shape() == static_cast<int>(MoveReference::Shape::Staircase)
+                              ? wanted.period_s * wanted.count
+                              : valueOf(Field::Duration);
+    return referenceExcursion_rad(wanted, time_s) + (isPosition() ? 0.0 : std::fabs(base));
+}
+
+} // namespace halbench::app

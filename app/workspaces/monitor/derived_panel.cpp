@@ -1,0 +1,184 @@
+#include "app/workspaces/monitor/derived_panel.h"
+
+#include "app/workspaces/parts/panel_parts.h"
+#include "control/base/unit_text.h"
+#include "widgets/language/phrasebook.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+namespace {
+
+enum Column { Name, Expression, Unit, State, Columns };
+
+QString unitWords(const std::string& symbol) {
+    return QString::fromStdString(unitText(symbol));
+}
+
+} // namespace
+
+DerivedPanel::DerivedPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
+    QVBoxLayout* column = makePanelColumn(this);
+    column->addWidget(buildFields());
+    m_problem = makeNote(this);
+    m_problem->setAccessibleName(tr("What is wrong with the expression"));
+    column->addWidget(m_problem);
+    m_list = new QTableWidget(0, Columns, this);
+    m_list->setHorizontalHeaderLabels({tr("Name"), tr("Expression"), tr("Unit"), tr("State")});
+    m_list->setAccessibleName(tr("Derived signals"));
+    m_list->setToolTip(tr("Enter takes a row into the fields above, Delete removes it"));
+    m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_list->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_list->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_list->setTabKeyNavigation(false);
+    m_list->verticalHeader()->hide();
+    m_list->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_list->horizontalHeader()->setStretchLastSection(true);
+    column->addWidget(m_list, 1);
+    connect(m_list, &QTableWidget::cellActivated, this, [this](int row) { edit(row); });
+    connect(m_list, &QTableWidget::itemSelectionChanged, this,
+            [this] { m_remove->setEnabled(m_list->currentRow() >= 0); });
+    connect(&m_bench, &Workbench::derivedSignalsChanged, this, &DerivedPanel::showList);
+    connect(&m_bench, &Workbench::deviceChanged, this,
+            &DerivedPanel::showList); // what waited is computed now
+    showList();
+}
+
+QWidget* DerivedPanel::buildFields() {
+    auto* box = new QWidget(this);
+    auto* row = new QHBoxLayout(box);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(widgets::GridStep_px);
+    m_name = addField(tr("Name"), tr("As it shall stand in the tree: letters, digits, dots, underscores"), 12,
+                      *row);
+    m_expression = addField(tr("Expression"),
+                            tr("Of names of signals in SI units, e.g. current.a^2 + current.b^2; + - * / ^, "
+                               "sin, cos, atan2, sqrt, abs, exp, ln, min, max, pi. Enter keeps it"),
+                            30, *row);
+    m_unit = addField(tr("Unit"),
+                      tr("Of the value; empty: as it follows from the expression. A symbol such as rad, "
+                         "rad/s, T, A, degC is "
+                         "shown in the preferred unit"),
+                      8, *row);
+    m_keep = makeButton({tr("Keep"), tr("Computes the signal from now on (Enter)"), {}}, box);
+    m_remove = makeButton({tr("Remove"), tr("Removes the signal that is chosen below (Delete)"), {}}, box);
+    m_remove->setEnabled(false);
+    row->addWidget(m_keep);
+    row->addWidget(m_remove);
+    connect(m_keep, &QPushButton::clicked, this, &DerivedPanel::keep);
+    connect(m_remove, &QPushButton::clicked, this, &DerivedPanel::remove);
+    return box;
+}
+
+QLineEdit* DerivedPanel::addField(const QString& title, const QString& toolTip, int characters,
+                                  QHBoxLayout& row) {
+    auto* label = new QLabel(title, this);
+    auto* field = new QLineEdit(this);
+    label->setBuddy(field);
+    field->setAccessibleName(title);
+    field->setToolTip(toolTip);
+    field->setMinimumWidth(characters * field->fontMetrics().averageCharWidth());
+    row.addWidget(label);
+    row.addWidget(field, characters);
+    connect(field, &QLineEdit::textChanged, this, &DerivedPanel::check);
+    connect(field, &QLineEdit::returnPressed, this, &DerivedPanel::keep);
+    return field;
+}
+
+devices::DerivedSignal DerivedPanel::typed() const {
+    return {m_name->text().trimmed().toStdString(), m_expression->text().trimmed().toStdString(),
+            m_unit->text().trimmed().toStdString()};
+}
+
+/// While it is typed; nothing is said of what was not begun.
+void DerivedPanel::check() {
+    const devices::DerivedSignal derived = typed();
+    const bool isBegun = !derived.name.empty() && !derived.expression.empty();
+    const auto checked = m_bench.derive(derived);
+    m_keep->setEnabled(isBegun && checked);
+    m_unit->setPlaceholderText(isBegun && checked && derived.unit.empty() ? unitWords(checked->unit)
+                                                                          : QString());
+    m_problem->setText(isBegun && !checked ? widgets::inWords(checked.error().message) +
+                                                 QStringLiteral("; ") + widgets::inWords(checked.error().hint)
+                                           : QString());
+    showRole(*m_problem, widgets::Role::Warn);
+}
+
+void DerivedPanel::keep() {
+    check();
+    if (!m_keep->isEnabled()) {
+        return;
+    }
+    const devices::DerivedSignal derived = typed();
+    std::vector<devices::DerivedSignal> list = m_bench.derivedSignals();
+    const auto same = std::find_if(list.begin(), list.end(), [&](const devices::DerivedSignal& one) {
+        return one.name == derived.name;
+    });
+    if (same != list.end()) {
+        *same = derived;
+    } else {
+        list.push_back(derived);
+    }
+    m_bench.setDerivedSignals(std::move(list));
+    for (QLineEdit* field : {m_name, m_expression, m_unit}) {
+        field->clear();
+    }
+    m_name->setFocus();
+}
+
+void DerivedPanel::remove() {
+    std::vector<devices::DerivedSignal> list = m_bench.derivedSignals();
+    const int row = m_list->currentRow();
+    if (row >= 0 && row < static_cast<int>(list.size())) {
+        list.erase(list.begin() + row);
+        m_bench.setDerivedSignals(std::move(list));
+    }
+}
+
+void DerivedPanel::edit(int row) {
+    const devices::DerivedSignal& derived = m_bench.derivedSignals().at(static_cast<std::size_t>(row));
+    m_name->setText(QString::fromStdString(derived.name));
+    m_expression->setText(QString::fromStdString(derived.expression));
+    m_unit->setText(QString::fromStdString(derived.unit));
+    m_expression->setFocus();
+}
+
+void DerivedPanel::showList() {
+    const std::vector<devices::DerivedSignal>& list = m_bench.derivedSignals();
+    m_list->setRowCount(static_cast<int>(list.size()));
+    for (int row = 0; row < m_list->rowCount(); ++row) {
+        const devices::DerivedSignal& derived = list[static_cast<std::size_t>(row)];
+        const bool isConnected = !m_bench.session().catalogue().signals.empty();
+        const auto checked = m_bench.derive(derived);
+        const QString state = !isConnected ? tr("waits for a device")
+                              : checked    ? tr("computed")
+                                           : widgets::inWords(checked.error().message);
+        int column = 0;
+        for (const QString& text :
+             {QString::fromStdString(derived.name), QString::fromStdString(derived.expression),
+              checked ? unitWords(checked->unit) : unitWords(derived.unit), state}) {
+            m_list->setItem(row, column++, new QTableWidgetItem(text));
+        }
+    }
+    check();
+}
+
+void DerivedPanel::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Delete && m_list->hasFocus()) {
+        remove();
+        return;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,83 @@
+// What the fields of the filter editor are called.
+#include "app/workspaces/tune/filter_editor.h"
+#include "widgets/controls/optional_number_edit.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+
+#include <utility>
+
+namespace halbench::app {
+
+void FilterEditor::sayFilter(std::size_t at) {
+    const Filter& row = m_rows[at];
+    const QString kinds[] = {tr("Lead"), tr("Lag"), tr("Notch"), tr("Low-pass")};
+    for (int i = 0; i < row.kind->count(); ++i) {
+        row.kind->setItemText(i, kinds[i]);
+    }
+    const QString frequency = m_unit == FrequencyUnit::Hertz ? QStringLiteral("Hz") : QStringLiteral("rad/s");
+    struct Figure {
+        QString name;
+        QString unit;
+        QString help;
+    };
+    const std::vector<Figure> figures[] = {
+        {{tr("Frequency"), frequency, tr("Where the phase is added; the gain there stays")},
+         {tr("Phase"), QStringLiteral("\u00b0"), tr("Added at that frequency")}},
+        {{tr("Frequency"), frequency, tr("Far above it the gain stays")},
+         {tr("Gain at rest"), QStringLiteral("\u00d7"), tr("Factor on the gain at rest, above 1")}},
+        {{tr("Frequency"), frequency, tr("Where the gain is least")},
+         {tr("Depth"), QStringLiteral("\u00d7"), tr("Factor on the gain at that frequency, 0 to 1")},
+         {tr("Damping"), {}, tr("Of its poles: the more, the wider it is")}},
+        {{tr("Corner"), frequency, tr("There the gain has fallen by 3 dB")},
+         {tr("Order"), {}, tr("1 or 2")}}};
+    const QString name = tr("Filter %1").arg(at + 1);
+    row.kind->setAccessibleName(tr("%1: kind").arg(name));
+    row.kind->setToolTip(tr("Lead: phase at a frequency. Lag: more gain at rest. Notch: little gain at a "
+                            "frequency. Low-pass: little gain above a frequency"));
+    row.remove->setAccessibleName(tr("Remove %1").arg(name));
+    row.remove->setToolTip(row.remove->accessibleName());
+    for (std::size_t i = 0; i < row.fields.size(); ++i) {
+        const auto& [figure, unit, help] = figures[row.filter.index()][i];
+        row.fields[i].name->setText(figure);
+        row.fields[i].unit->setText(unit);
+        row.fields[i].edit->setAccessibleName(QStringLiteral("%1: %2").arg(name, figure));
+        row.fields[i].edit->setExplanation(help);
+        row.fields[i].edit->setObjectName(QStringLiteral("filter%1.%2").arg(at + 1).arg(i));
+    }
+}
+
+void FilterEditor::sayWords() {
+    m_toggle->setText(tr("Weights and filters"));
+    m_toggle->setToolTip(tr("Show what other controllers have and the board has not"));
+    m_toggle->setAccessibleName(m_toggle->text());
+    m_note->setText(tr("Judged, compared and written; the board has none of it and cannot run it."));
+    m_add->setText(tr("Add a filter"));
+    m_add->setToolTip(tr("In series with the others, four at most; a low-pass at first"));
+    m_add->setAccessibleName(m_add->text());
+    const std::pair<Field*, std::pair<QString, QString>> fields[] = {
+        {&m_b, {tr("Weight b of the set-point"), tr("Of K_P: below 1 a step is answered more gently")}},
+        {&m_c, {tr("Weight c of the set-point"), tr("Of K_D: 0 is what the board does at a step")}},
+        {&m_time, {tr("Filter on the derivative"), tr("Time constant; 0 is the board's difference")}}};
+    for (const auto& [field, words] : fields) {
+        field->name->setText(words.first);
+        field->edit->setAccessibleName(words.first);
+        field->edit->setExplanation(words.second);
+    }
+    m_time.unit->setText(QStringLiteral("s"));
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        sayFilter(i);
+    }
+}
+
+void FilterEditor::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        sayWords();
+    }
+}
+
+} // namespace halbench::app

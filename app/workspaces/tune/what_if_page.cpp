@@ -1,0 +1,317 @@
+#include "app/workspaces/tune/what_if_page.h"
+
+#include "app/figures/tuning_figures.h"
+#include "app/procedures/tune/tune.h"
+#include "app/workbench/display_quantity.h"
+#include "widgets/controls/empty_state.h"
+#include "widgets/controls/verdict_view.h"
+#include "widgets/figure/figure_view.h"
+#include "widgets/language/phrasebook.h"
+#include "widgets/theme/theme_style.h"
+
+#include <QCoreApplication>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace halbench::app {
+
+using widgets::Remark;
+using widgets::VerdictLevel;
+
+WhatIfPage::WhatIfPage(Workbench& bench, QWidget* parent)
+    : QWidget(parent), m_bench(bench), m_pages(new QStackedWidget(this)),
+      m_empty(new widgets::EmptyState(m_pages)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_pages);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(buildAnswer());
+    connect(m_empty, &widgets::EmptyState::actionTriggered, this, &WhatIfPage::recordingWanted);
+    connect(m_other, &QPushButton::clicked, this, &WhatIfPage::recordingWanted);
+    connect(m_remove, &QPushButton::clicked, this, &WhatIfPage::forget);
+    connect(&m_bench, &Workbench::identificationChanged, this, &WhatIfPage::judge);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this, &WhatIfPage::draw);
+    refreshWords();
+}
+
+QWidget* WhatIfPage::buildAnswer() {
+    auto* page = new QWidget(m_pages);
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(widgets::GridStep_px);
+    auto* row = new QHBoxLayout;
+    m_other = new QPushButton(page);
+    m_remove = new QPushButton(page);
+    row->addWidget(m_other);
+    row->addWidget(m_remove);
+    row->addStretch(1);
+    m_verdict = new widgets::VerdictView(page);
+    m_verdict->setObjectName(QStringLiteral("whatIf"));
+    m_picture = new widgets::FigureView;
+    m_picture->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // growPicture() says
+    auto* content = new QWidget;
+    auto* below = new QVBoxLayout(content);
+    below->setContentsMargins(0, 0, 0, 0);
+    below->setSpacing(widgets::GridStep_px);
+    below->addWidget(m_picture, 1);
+    m_verdict->moveRemarks(*below);
+    m_room = new QScrollArea(page);
+    m_room->setWidgetResizable(true);
+    m_room->setFrameShape(QFrame::NoFrame);
+    m_room->setFocusPolicy(Qt::NoFocus); // it follows the focus of its controls
+    m_room->setWidget(content);
+    column->addLayout(row);
+    column->addWidget(m_verdict);
+    column->addWidget(m_room, 1);
+    return page;
+}
+
+void WhatIfPage::refreshWords() {
+    m_empty->setWords(
+        tr("No recording is chosen"),
+        tr("A recorded move is shown with what the proposed gains would have made of it, if the "
+           "identified motor explains it."),
+        tr("Open a recorded move"));
+    m_other->setText(tr("Another move\u2026"));
+    m_other->setToolTip(tr("Choose another recording"));
+    m_remove->setText(tr("Remove"));
+    m_remove->setToolTip(tr("This page is empty again; the recording stays"));
+    draw();
+}
+
+void WhatIfPage::use(const QString& recording, const QString& ranFile, const LoopConditions& conditions) {
+    const int number = ++m_asked;
+    m_files.run([recording = recording.toStdString(), ranFile = ranFile.toStdString(),
+                 conditions] { return readRanMove(recording, ranFile, conditions); },
+                [this, number, recording](Result<RanMove> ran) {
+                    if (number != m_asked) {
+                        return; // another one was chosen meanwhile
+                    }
+                    m_path = ran ? recording : m_path;
+                    take(std::move(ran));
+                });
+}
+
+/// What is shown stays when the next one is none.
+void WhatIfPage::take(Result<RanMove> ran) {
+    if (!ran) {
+        Q_EMIT refused(ran.error());
+        return;
+    }
+    m_ran = *std::move(ran);
+    judge();
+    Q_EMIT used(m_path);
+}
+
+void WhatIfPage::forget() {
+    ++m_asked;
+    m_ran.reset();
+    m_path.clear();
+    judge();
+}
+
+void WhatIfPage::judge() {
+    m_judging.cancel();
+    m_record.reset();
+    m_unjudged.reset();
+    const auto& identification = m_bench.identification();
+    if (m_ran && identification) {
+        const TuneConfig defaults;
+        const WhatIfConfig config{m_ran->move, m_ran->law, m_ran->conditions, motorEstimate(*identification),
+                                  UncertaintyDraws{defaults.draws, defaults.seed}};
+        m_judging.run([config] { return prepareWhatIf(config); },
+                      [this](Result<WhatIfBasis> basis) {
+                          if (basis) {
+                              m_record = std::make_shared<const WhatIfBasis>(*std::move(basis));
+                          } else {
+                              m_unjudged = basis.error();
+                          }
+                          predict();
+                      });
+    }
+    predict();
+}
+
+void WhatIfPage::propose(const std::optional<LoopLaw>& law, bool isMoving) {
+    m_law = law;
+    m_isMoving = isMoving;
+    predict();
+}
+
+/// The gains that ran have the record itself.
+bool WhatIfPage::isOfRan() const {
+    return m_law && m_record && !m_law->shaped && isSameLaw(m_law->law, m_record->config.ran);
+}
+
+/// Each answer is seen before the next is asked for, so that the curve follows however long its move is.
+/// Nobody pays for it while it is not seen.
+void WhatIfPage::predict() {
+    m_spreading.cancel();
+    m_spread.reset();
+    if (m_predicting.isBusy() && m_record && m_law) {
+        m_isWaiting = true;
+        return;
+    }
+    m_isWaiting = false;
+    m_predicting.cancel();
+    if (!isVisible() || !m_record || !m_law || isOfRan()) {
+        m_predicted.reset();
+        draw();
+        return;
+    }
+    m_predicting.run([record = m_record, law = *m_law] { return whatIf(*record, law); },
+                     [this](const Result<WhatIf>& answer) {
+                         m_predicted = answer;
+                         if (m_isWaiting) {
+                             predict();
+                         }
+                         draw();
+                         spread();
+                     });
+}
+
+void WhatIfPage::spread() {
+    if (m_isMoving || m_predicting.isBusy() || !m_predicted || !*m_predicted || !m_record || !m_law) {
+        return;
+    }
+    m_spreading.run([record = m_record, law = *m_law] { return whatIfWithBand(*record, law); },
+                    [this](const Result<WhatIf>& answer) {
+                        if (answer && m_predicted) {
+                            m_spread = *answer;
+                            draw();
+                        }
+                    });
+}
+
+void WhatIfPage::draw() {
+    m_pages->setCurrentIndex(m_ran ? 1 : 0);
+    if (m_ran) {
+        const widgets::AngleUnit unit = m_bench.displayUnits().angle;
+        widgets::Figure figure = recordedMoveFigure(m_ran->move, unit);
+        if (m_predicted && *m_predicted) {
+            addWhatIfCurves(figure, **m_predicted, m_spread ? m_spread->band : std::nullopt,
+                            m_ran->move.reference_rad, unit);
+        }
+        m_picture->setFigure(std::move(figure));
+    } else {
+        m_picture->setFigure({});
+    }
+    showVerdict();
+}
+
+void WhatIfPage::showVerdict() {
+    const QString name = QFileInfo(m_path).fileName();
+    const bool isWithheld = m_record && m_record->quality.verdict == Verdict::Refused;
+    if (!m_ran) {
+        m_verdict->setVerdict(VerdictLevel::Doubtful, {}, {});
+    } else if (m_unjudged || isWithheld || (m_predicted && !*m_predicted)) {
+        m_verdict->setVerdict(VerdictLevel::Refused,
+                              tr("%1: withheld, what the proposed gains would make of it").arg(name),
+                              remarks());
+    } else if (!m_record) {
+        m_verdict->setVerdict(VerdictLevel::Doubtful,
+                              m_bench.identification() ? tr("%1 is being judged").arg(name)
+                                                       : tr("%1 waits for an identified motor").arg(name),
+                              {});
+    } else {
+        const auto& quality = m_spread ? m_spread->quality : m_record->quality;
+        m_verdict->setVerdict(quality.verdict == Verdict::Good ? VerdictLevel::Good : VerdictLevel::Doubtful,
+                              quality.verdict == Verdict::Good
+                                  ? tr("%1: the identified loop explains the recorded move").arg(name)
+                                  : tr("%1: doubtful, as said below").arg(name),
+                              remarks());
+    }
+}
+
+std::vector<Remark> WhatIfPage::remarks() const {
+    if (m_unjudged) {
+        return {{widgets::inWords(m_unjudged->message), widgets::inWords(m_unjudged->hint)}};
+    }
+    std::vector<Remark> result;
+    result.push_back({tr("%1 % of the recorded motion lie outside the band of the gains that ran.")
+                          .arg(widgets::numberText(100.0 * m_record->outside_ratio, 2)),
+                      {}});
+    if (m_predicted) {
+        const auto more = whatIfRemarks(m_ran->move, *m_predicted, m_spread, m_bench.displayUnits());
+        result.insert(result.end(), more.begin(), more.end());
+        return result;
+    }
+    if (isOfRan()) {
+        result.push_back(
+            {tr("The proposed gains are those that ran: the recording is what they make of it."), {}});
+    }
+    for (const Finding& finding : m_record->quality.findings) {
+        result.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
+    }
+    return result;
+}
+
+/// The picture is the answer: it has all of the page, and what is said of it begins at the lower edge.
+void WhatIfPage::growPicture() {
+    const int words_px = 2 * fontMetrics().lineSpacing() + 2 * widgets::GridStep_px;
+    m_picture->setMinimumHeight(std::max(0, m_room->viewport()->height() - words_px));
+}
+
+void WhatIfPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    growPicture();
+    predict(); // the gains may be others by now
+}
+
+void WhatIfPage::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    growPicture();
+}
+
+void WhatIfPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refreshWords();
+    }
+}
+
+namespace {
+
+/// The words of this file for the translator, outside of the page.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(halbench::app::WhatIfWords)
+};
+
+} // namespace
+
+std::vector<Remark> whatIfRemarks(const RecordedMove& move, const Result<WhatIf>& whatIf,
+                                  const std::optional<WhatIf>& spread, const DisplayUnits& units) {
+    if (!whatIf) {
+        return {{Words::tr("What the proposed gains would make of this move is not said: %1")
+                     .arg(widgets::inWords(whatIf.error().message)),
+                 widgets::inWords(whatIf.error().hint)}};
+    }
+    std::vector<Remark> remarks;
+    const MotionFigures would = motionFigures(move.reference_rad, whatIf->angle_rad);
+    const MotionFigures was = motionFigures(move.reference_rad, move.position_rad);
+    if (would.overshoot_rad && was.overshoot_rad) {
+        remarks.push_back(
+            {Words::tr(
+                 "With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from "
+                 "its set-point instead of %4.")
+                 .arg(angleText(*would.overshoot_rad, units), angleText(*was.overshoot_rad, units),
+                      angleText(std::abs(would.finalError_rad), units),
+                      angleText(std::abs(was.finalError_rad), units)),
+             {}});
+    }
+    for (const Finding& finding : (spread ? *spread : *whatIf).quality.findings) {
+        remarks.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
+    }
+    return remarks;
+}
+
+} // namespace halbench::app

@@ -1,0 +1,172 @@
+#include "control/assess/shaped_loop.h"
+
+#include "control/assess/loop_proof.h"
+#include "control/law/gain_limit.h"
+#include "control/law/shaped_controller.h"
+#include "control/law/shaped_delta.h"
+#include "control/lti/riccati.h"
+#include "control/lti/state_space.h"
+#include "control/robustness/drawn_verdicts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halbench::control {
+
+namespace {
+
+/// The law's parts as states of their own: one polynomial would put all slow roots into one row.
+Result<StateSpace> controllerStates(const ShapedLaw& law, const LoopTiming& timing) {
+    ShapedLaw bare = law;
+    bare.filters.clear();
+    const auto controller = shapedController(bare, timing.period_s);
+    if (!controller) {
+        return failure(controller.error());
+    }
+    const auto delayed = series(*controller, TransferFunction::delay(timing.delay_samples, timing.period_s));
+    if (!delayed) {
+        return failure(delayed.error());
+    }
+    Result<StateSpace> states = toStateSpace(*delayed);
+    for (const LoopFilter& filter : law.filters) {
+        const auto sampled = sampledFilter(filter, timing.period_s);
+        if (!sampled) {
+            return failure(sampled.error());
+        }
+        states = states ? series(*states, toStateSpace(*sampled)) : states;
+    }
+    return states;
+}
+
+/// H2 norm of C F z^-d/(1 + L), from the measured angle to the current, of a stable loop.
+Result<double> noiseGain(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    const auto controller = controllerStates(law, timing);
+    if (!controller) {
+        return failure(controller.error());
+    }
+    const auto noise = feedback(*controller, toStateSpace(sampledPlant(plant, timing.period_s)));
+    if (!noise) {
+        return failure(noise.error());
+    }
+    const Eigen::MatrixXd X = solveLyapunov(noise->A, noise->B * noise->B.transpose());
+    return std::sqrt((noise->C * X * noise->C.transpose() + noise->D * noise->D.transpose()).value());
+}
+
+bool isStableWith(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    const auto radius = shapedPoleRadius(plant, law, timing);
+    return radius && *radius < 1.0;
+}
+
+/// In the parallel form, so that single gains may be changed.
+Result<ShapedLaw> inParallelForm(ShapedLaw law, double period_s) {
+    const auto gains = checkedGains(law, period_s);
+    if (!gains) {
+        return failure(gains.error());
+    }
+    law.gains = *gains;
+    return law;
+}
+
+DrawnVerdict verdictOf(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
+    const auto loop = deltaOpenLoop(plant, law, timing);
+    return loop ? drawnVerdict(isStableWith(plant, law, timing), smallestMargins(*loop)) : noMotor();
+}
+
+} // namespace
+
+// The integral's part stays for ever and is no fast one.
+Result<double> shapedFastGain_A_per_rad(const ShapedLaw& law, double period_s) {
+    auto fast = inParallelForm(law, period_s);
+    if (!fast) {
+        return failure(fast.error());
+    }
+    fast->gains.integral = 0.0;
+    fast->proportionalWeight = 1.0; // the angle's path has no weights
+    auto controller = ShapedController::make(*fast, period_s);
+    if (!controller) {
+        return failure(controller.error());
+    }
+    constexpr int Samples = 200; // the answer of a slow low-pass is largest within its first samples
+    double largest = std::abs(controller->step(0.0, -1.0));
+    for (int i = 1; i < Samples; ++i) {
+        largest = std::max(largest, std::abs(controller->step(0.0, 0.0)));
+    }
+    return largest;
+}
+
+Result<double> shapedProportionalLimit_A_per_rad(const PositionPlant& plant, const ShapedLaw& law,
+                                                 const LoopTiming& timing) {
+    auto plain = inParallelForm(law, timing.period_s);
+    if (!plain) {
+        return failure(plain.error());
+    }
+    plain->gains.integral = 0.0;
+    plain->proportionalWeight = 1.0;
+    const auto radius = shapedPoleRadiusOfProportional(plant, *plain, timing);
+    if (!radius) {
+        return failure(radius.error());
+    }
+    return largestStableGain(plant, timing, [&](double proportional) {
+        const auto of = (*radius)(proportional);
+        return of && *of < 1.0;
+    });
+}
+
+Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
+                                double currentLimit_A, double duration_s) {
+    if (!(std::isfinite(currentLimit_A) && currentLimit_A > 0.0)) {
+        return failure(ErrorCode::OutOfRange, "the current limit must be positive");
+    }
+    const auto loop = deltaOpenLoop(plant, law, timing);
+    const LoopTiming oneLater{timing.period_s, timing.delay_samples + 1};
+    const auto radius = shapedPoleRadius(plant, law, timing);
+    const auto later = shapedPoleRadius(plant, law, oneLater);
+    const auto fast_A = shapedFastGain_A_per_rad(law, timing.period_s);
+    const auto limit_A = shapedProportionalLimit_A_per_rad(plant, law, timing);
+    if (!loop || !radius || !later || !fast_A || !limit_A) {
+        return failure(!loop     ? loop.error()
+                       : !radius ? radius.error()
+                       : !later  ? later.error()
+                       : !fast_A ? fast_A.error()
+                                 : limit_A.error());
+    }
+    auto step = shapedStep(plant, law, timing, 1.0, duration_s);
+    if (!step) {
+        return failure(step.error());
+    }
+    DesignProof proof = loopProof(*loop, *radius, *later, *std::move(step), currentLimit_A);
+    proof.noiseGain_A_per_rad = std::numeric_limits<double>::infinity();
+    if (proof.isStable) {
+        const auto noise = noiseGain(plant, law, timing);
+        if (!noise) {
+            return failure(noise.error());
+        }
+        proof.noiseGain_A_per_rad = *noise;
+    }
+    proof.fastGain_A_per_rad = *fast_A;
+    proof.proportionalLimit_A_per_rad = *limit_A;
+    return proof;
+}
+
+Result<Robustness> assessShaped(const UncertainPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
+                                int draws, Random random) {
+    if (const auto valid = checkTiming(timing); !valid) {
+        return failure(valid.error());
+    }
+    if (const auto gains = checkedGains(law, timing.period_s); !gains) {
+        return failure(gains.error());
+    }
+    const auto plants = drawPlants(plant, draws, random);
+    if (!plants) {
+        return failure(plants.error());
+    }
+    std::vector<DrawnVerdict> verdicts;
+    verdicts.reserve(plants->size());
+    for (const PositionPlant& drawn : *plants) {
+        verdicts.push_back(verdictOf(drawn, law, timing));
+    }
+    return robustnessOf(verdicts, isUncertain(plant));
+}
+
+} // namespace halbench::control

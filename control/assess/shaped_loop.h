@@ -1,0 +1,52 @@
+#pragma once
+
+#include "control/assess/load_step.h"
+#include "control/assess/proof.h"
+#include "control/law/shaped_law.h"
+#include "control/robustness/robustness.h"
+
+#include <complex>
+#include <functional>
+#include <vector>
+
+namespace halbench::control {
+
+/// `linearStep` of a shaped law; the same numbers for the board's own.
+Result<LoopStep> shapedStep(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
+                            double amplitude_rad, double duration_s, int pointsPerSample = 10);
+
+/// Where a load that stays leaves the angle of a stable loop: 0 with integral action, else what K_P and the
+/// filters' gain for a constant make of it. Errors: of `checkedGains`.
+Result<double> shapedRest_rad(const ShapedLaw& law, double period_s, double load_A);
+/// `loadStep` of a shaped law, whose weights a load does not see; the same numbers for the board's own.
+Result<LoadStep> shapedLoad(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
+                            double load_A, double duration_s, int pointsPerSample = 10);
+
+/// Poles of the closed loop in z, from states where the law has filters: of four slow or narrow ones beside
+/// the integrators one polynomial tells too little. Errors: of the inputs.
+Result<std::vector<std::complex<double>>> shapedPoles(const PositionPlant& plant, const ShapedLaw& law,
+                                                      const LoopTiming& timing);
+/// The largest modulus among them.
+Result<double> shapedPoleRadius(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing);
+/// The same of one law with many K_P, in A/rad, in the place of its own in parallel form: filters are put
+/// together once. Errors: of the inputs; of what it returns: none for finite gains.
+Result<std::function<Result<double>(double)>>
+shapedPoleRadiusOfProportional(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing);
+
+/// The gain towards fast errors: the largest current that an error of 1 rad in a single sample makes, at once
+/// or after filters; K_P + K_D/T on the board. Errors: of `checkedGains`.
+Result<double> shapedFastGain_A_per_rad(const ShapedLaw& law, double period_s);
+/// The limit of K_P with this K_D, these filters and K_I = 0. Errors: of the inputs.
+Result<double> shapedProportionalLimit_A_per_rad(const PositionPlant& plant, const ShapedLaw& law,
+                                                 const LoopTiming& timing);
+
+/// `proveDesign` of a shaped law; the same numbers for the board's own. Errors: of the inputs; OutOfRange;
+/// Refused, as of `proveDesign`.
+Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
+                                double currentLimit_A, double duration_s = 2.0);
+
+/// `assessRobustness` over the same draws, one motor after the other: about a second for a thousand.
+Result<Robustness> assessShaped(const UncertainPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
+                                int draws, Random random);
+
+} // namespace halbench::control

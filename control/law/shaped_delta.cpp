@@ -1,0 +1,112 @@
+#include "control/law/shaped_delta.h"
+
+#include "control/law/held_rotor.h"
+
+#include <cmath>
+
+namespace halbench::control {
+
+namespace {
+
+/// sum c_j s^j with s = rate d/(d + 2), times (d + 2)^order: Tustin's rule, put together from its terms.
+Polynomial bilinear(const Polynomial& polynomial, int order, double rate_1_s) {
+    Polynomial sum = {0.0};
+    const int highest = degree(polynomial);
+    for (int power = 0; power <= highest; ++power) {
+        Polynomial term = {polynomial[static_cast<std::size_t>(highest - power)]};
+        for (int i = 0; i < order; ++i) {
+            term = multiply(term, i < power ? Polynomial{rate_1_s, 0.0} : Polynomial{1.0, 2.0});
+        }
+        sum = add(sum, term);
+    }
+    return sum;
+}
+
+/// K_P + T K_I/d + K_D/(T + T_f) d/(d + T/(T + T_f)) over one denominator; a term that is zero adds no pole.
+DeltaFactor pidFactor(const PidGains& gains, double period_s) {
+    const double span_s = period_s + gains.filter_s.value_or(0.0);
+    const bool hasIntegral = gains.integral != 0.0;
+    const bool hasDerivative = gains.derivative != 0.0;
+    const Polynomial slow = hasIntegral ? Polynomial{1.0, 0.0} : Polynomial{1.0};
+    const Polynomial fast = hasDerivative ? Polynomial{1.0, period_s / span_s} : Polynomial{1.0};
+    Polynomial numerator = scale(multiply(slow, fast), gains.proportional);
+    if (hasIntegral) {
+        numerator = add(numerator, scale(fast, period_s * gains.integral));
+    }
+    if (hasDerivative) {
+        numerator = add(numerator, multiply({gains.derivative / span_s, 0.0}, slow));
+    }
+    return {numerator, multiply(slow, fast)};
+}
+
+Result<DeltaSystem> seriesOf(const Result<DeltaSystem>& first, const Result<DeltaSystem>& second) {
+    if (!first || !second) {
+        return first ? second : first;
+    }
+    return series(*first, *second);
+}
+
+Result<DeltaSystem> systemOf(const DeltaFactor& factor, double period_s) {
+    return DeltaSystem::factor(factor.numerator, factor.denominator, TimeBase::sampled(period_s));
+}
+
+} // namespace
+
+Result<DeltaFactor> deltaFilter(const LoopFilter& filter, double period_s) {
+    const auto continuous = continuousFilter(filter);
+    if (!continuous) {
+        return failure(continuous.error());
+    }
+    const double frequency_rad_s = frequencyOf_rad_s(filter);
+    const double rate_1_s = frequency_rad_s / std::tan(0.5 * frequency_rad_s * period_s);
+    const int order = continuous->order();
+    return DeltaFactor{bilinear(continuous->numerator(), order, rate_1_s),
+                       bilinear(continuous->denominator(), order, rate_1_s)};
+}
+
+DeltaFactor deltaRotor(const PositionPlant& plant, double period_s) {
+    const double x = plant.dampingRate_1_s * period_s;
+    const double scale = plant.accelerationGain_rad_s2_A * period_s * period_s;
+    return {{scale * heldAngleShare(x), scale * heldSpeedShare(x)}, {1.0, -std::expm1(-x), 0.0}};
+}
+
+Result<DeltaSystem> deltaController(const ShapedLaw& law, double period_s) {
+    const auto gains = checkedGains(law, period_s);
+    if (!gains) {
+        return failure(gains.error());
+    }
+    Result<DeltaSystem> controller = systemOf(pidFactor(*gains, period_s), period_s);
+    for (const LoopFilter& filter : law.filters) {
+        const auto factor = deltaFilter(filter, period_s);
+        controller = factor ? seriesOf(controller, systemOf(*factor, period_s))
+                            : Result<DeltaSystem>(failure(factor.error()));
+    }
+    return controller;
+}
+
+Result<DeltaSystem> deltaOpenLoop(const PositionPlant& plant, const ShapedLaw& law,
+                                  const LoopTiming& timing) {
+    for (const auto& valid : {checkPlant(plant), checkTiming(timing)}) {
+        if (!valid) {
+            return failure(valid.error());
+        }
+    }
+    const DeltaSystem::Roots late(static_cast<std::size_t>(timing.delay_samples), -1.0);
+    const auto delay = DeltaSystem::make({}, late, 1.0, TimeBase::sampled(timing.period_s));
+    return seriesOf(seriesOf(deltaController(law, timing.period_s), delay),
+                    systemOf(deltaRotor(plant, timing.period_s), timing.period_s));
+}
+
+Result<double> filterGainAtRest(const std::vector<LoopFilter>& filters) {
+    double gain = 1.0; // Tustin's rule keeps it
+    for (const LoopFilter& filter : filters) {
+        const auto continuous = continuousFilter(filter);
+        if (!continuous) {
+            return failure(continuous.error());
+        }
+        gain *= continuous->dcGain();
+    }
+    return gain;
+}
+
+} // namespace halbench::control

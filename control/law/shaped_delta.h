@@ -1,0 +1,29 @@
+#pragma once
+
+#include "control/law/shaped_law.h"
+#include "control/lti/delta_system.h"
+
+namespace halbench::control {
+
+// A shaped loop by the roots of its parts in d = z - 1, for margins, frequency responses and loci: one
+// polynomial in z of slow filters beside integrators has no digits left at low frequency. All of it is put
+// together from positive terms. The board's own law is one without filters.
+
+/// A part of the loop, numerator over denominator in powers of d.
+struct DeltaFactor {
+    Polynomial numerator;
+    Polynomial denominator;
+};
+/// By Tustin's rule, pre-warped at the filter's own frequency. Errors: of the filter.
+Result<DeltaFactor> deltaFilter(const LoopFilter& filter, double period_s);
+/// k T^2 (b1 d + b1 + b2)/(d (d + 1 - E)), the current held.
+DeltaFactor deltaRotor(const PositionPlant& plant, double period_s);
+
+/// F (K_P + I + D) of `shapedController`. Errors: of the law.
+Result<DeltaSystem> deltaController(const ShapedLaw& law, double period_s);
+/// The loop of `shapedOpenLoop`. Errors: of the inputs.
+Result<DeltaSystem> deltaOpenLoop(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing);
+/// Of the filters together for a constant input.
+Result<double> filterGainAtRest(const std::vector<LoopFilter>& filters);
+
+} // namespace halbench::control

@@ -1,0 +1,109 @@
+#include "control/robustness/shaped_bands.h"
+
+#include "control/assess/shaped_loop.h"
+#include "control/law/shaped_controller.h"
+#include "control/law/shaped_delta.h"
+#include "control/robustness/lane_rotors.h"
+#include "control/robustness/moved_motors.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace halbench::control {
+
+namespace {
+
+using Lanes = LaneState::Lanes;
+
+/// As `runLanes`, with this law.
+void runMotors(const std::vector<PositionPlant>& plants, std::size_t first, ShapedRun<Lanes> controller,
+               const LoopTiming& timing, const LaneRun& run, LaneCurves& curves, std::size_t row) {
+    const LaneRotors rotors(plants, first, timing.period_s / run.pointsPerSample);
+    const auto every = static_cast<std::size_t>(run.pointsPerSample);
+    const auto lanes = static_cast<Eigen::Index>(std::min<std::size_t>(LaneWidth, plants.size() - first));
+    std::vector<Lanes> pending_A(static_cast<std::size_t>(timing.delay_samples) + 1, Lanes::Zero()); // a ring
+    Lanes angle = Lanes::Zero();
+    Lanes speed = Lanes::Zero();
+    Lanes current_A = Lanes::Zero();
+    std::size_t sample = 0;
+    std::size_t next = 0;
+    for (std::size_t point = 0; next < run.kept.size(); ++point) {
+        if (point % every == 0) {
+            pending_A[sample++ % pending_A.size()] = controller.step(run.reference_rad, angle);
+            current_A = pending_A[sample % pending_A.size()] + run.load_A; // the oldest: of so many before
+        }
+        if (point == run.kept[next]) {
+            curves.col(static_cast<Eigen::Index>(next)).segment(static_cast<Eigen::Index>(row), lanes) =
+                angle.head(lanes);
+            ++next;
+        }
+        rotors.move(angle, speed, current_A);
+    }
+}
+
+std::vector<PositionPlant> motorsAmong(const std::vector<PositionPlant>& plants) {
+    std::vector<PositionPlant> motors;
+    std::copy_if(plants.begin(), plants.end(), std::back_inserter(motors),
+                 [](const PositionPlant& plant) { return checkPlant(plant).has_value(); });
+    return motors;
+}
+
+/// The plants must live as long as what is returned.
+MovedMotors shapedMotors(const std::vector<PositionPlant>& plants, const ShapedEquation& equation,
+                         const LoopTiming& timing) {
+    const ShapedRun<Lanes> controller(equation, Lanes::Zero());
+    MovedMotors motors{plants.size(),
+                       timing.period_s,
+                       [&plants, controller, timing](std::size_t first, const LaneRun& run,
+                                                     LaneCurves& curves, std::size_t row) {
+                           runMotors(plants, first, controller, timing, run, curves, row);
+                       },
+                       {}};
+    motors.middle = [motors](const LaneRun& run) { return middleByParts(motors, run); };
+    return motors;
+}
+
+Result<ShapedEquation> checkedEquation(const std::vector<PositionPlant>& motors, const ShapedLaw& law,
+                                       const LoopTiming& timing) {
+    if (const auto valid = checkTiming(timing); !valid) {
+        return failure(valid.error());
+    }
+    if (motors.empty()) {
+        return failure(ErrorCode::Refused, "none of the drawn plants is a motor", "identify the motor again");
+    }
+    return ShapedEquation::make(law, timing.period_s);
+}
+
+} // namespace
+
+Result<LoopBands> shapedLoopBands(const std::vector<PositionPlant>& plants, const ShapedLaw& law,
+                                  const LoopTiming& timing, const std::vector<double>& frequency_rad_s) {
+    const auto controller = deltaController(law, timing.period_s);
+    return controller ? loopBands(plants, *controller, timing, frequency_rad_s)
+                      : Result<LoopBands>(failure(controller.error()));
+}
+
+Result<StepBand> shapedStepBand(const std::vector<PositionPlant>& plants, const ShapedLaw& law,
+                                const LoopTiming& timing, double amplitude_rad, double duration_s,
+                                int pointsPerSample, std::size_t mostPoints) {
+    const std::vector<PositionPlant> motors = motorsAmong(plants);
+    const auto equation = checkedEquation(motors, law, timing);
+    return equation ? stepBandOf(shapedMotors(motors, *equation, timing), amplitude_rad, duration_s,
+                                 pointsPerSample, mostPoints)
+                    : Result<StepBand>(failure(equation.error()));
+}
+
+Result<LoadBand> shapedLoadBand(const std::vector<PositionPlant>& plants, const ShapedLaw& law,
+                                const LoopTiming& timing, double load_A, double duration_s,
+                                int pointsPerSample, std::size_t mostPoints) {
+    const std::vector<PositionPlant> motors = motorsAmong(plants);
+    const auto equation = checkedEquation(motors, law, timing);
+    const auto final_rad = shapedRest_rad(law, timing.period_s, load_A);
+    if (!equation || !final_rad) {
+        return failure(equation ? final_rad.error() : equation.error());
+    }
+    return loadBandOf(shapedMotors(motors, *equation, timing), *final_rad, load_A, duration_s,
+                      pointsPerSample, mostPoints);
+}
+
+} // namespace halbench::control

@@ -1,0 +1,69 @@
+#include "app/headless/command_options.h"
+
+#include <gmock/gmock.h>
+
+namespace halbench::app {
+
+TEST(CommandLineTest, globalFlagsStandBeforeOrAfterTheCommand) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"--json", "--seed", "7", "--arm", "get", "sim:htm", "position", "gain.kp"},
+          std::vector<std::string>{"get", "sim:htm", "position", "gain.kp", "--json", "--arm", "--seed", "7"},
+          std::vector<std::string>{"get", "--seed=7", "sim:htm", "--json", "position", "gain.kp", "--arm"}}) {
+        const Result<CommandLine> line = parseCommandLine(arguments);
+        ASSERT_TRUE(line) << line.error().message;
+        EXPECT_EQ(line->command, "get");
+        EXPECT_EQ(line->options.device, "sim:htm");
+        EXPECT_EQ(line->options.names, (std::vector<std::string>{"position", "gain.kp"}));
+        EXPECT_TRUE(line->global.style.isJson);
+        EXPECT_TRUE(line->global.mayArm);
+        EXPECT_EQ(line->global.seed, 7u);
+    }
+}
+
+TEST(CommandLineTest, repeatedOptionsDoNotSwallowWhatFollows) {
+    const Result<CommandLine> line =
+        parseCommandLine({"identify", "--given", "J=1e-4", "--given", "phi=1e-2", "sim:htm"});
+    ASSERT_TRUE(line) << line.error().message;
+    EXPECT_EQ(line->options.given, (std::vector<std::string>{"J=1e-4", "phi=1e-2"}));
+    EXPECT_EQ(line->options.device, "sim:htm");
+}
+
+TEST(CommandLineTest, withoutArgumentsItIsHelp) {
+    const Result<CommandLine> line = parseCommandLine({});
+    ASSERT_TRUE(line);
+    EXPECT_EQ(line->command, "help");
+    for (const char* command :
+         {"devices", "describe", "get", "set", "record", "move", "calibrate", "identify", "tune", "analyse",
+          "run", "serve", "convert", "spectrum", "plot", "import", "recordings", "overlay"}) {
+        EXPECT_THAT(line->helpText, testing::HasSubstr(command));
+    }
+}
+
+TEST(CommandLineTest, whatIsNoNameOfARecordingIsRefusedBeforeAnythingMoves) {
+    using Words = std::vector<std::string>;
+    for (const Words& begin : {Words{"record", "sim:htm", "--duration", "1", "--out"},
+                               Words{"move", "sim:htm", "--duration", "1", "--reference", "step", "--out"},
+                               Words{"identify", "sim:htm", "--record"}, Words{"import", "a.txt", "--out"},
+                               Words{"overlay", "a.csv", "b.csv", "--signals", "speed", "--out"}}) {
+        const auto given = [&](const std::string& name) {
+            Words words = begin;
+            words.push_back(name);
+            return parseCommandLine(words);
+        };
+        EXPECT_TRUE(given("run.csv")) << begin.front();
+        for (const char* name : {"run.mf4", "run.mat", "run", "run.CSV", "/dev/null"}) {
+            const Result<CommandLine> line = given(name);
+            ASSERT_FALSE(line) << begin.front() << ' ' << name;
+            EXPECT_EQ(line.error().code, ErrorCode::Usage);
+            EXPECT_THAT(line.error().message, testing::HasSubstr(name));
+            EXPECT_THAT(line.error().message, testing::HasSubstr(begin.back()));
+        }
+    }
+}
+
+TEST(CommandLineTest, jsonIsKnownBeforeAnythingIsUnderstood) {
+    EXPECT_TRUE(styleFromArguments({"nonsense", "--json"}).isJson);
+    EXPECT_FALSE(parseCommandLine({"nonsense", "--json"}));
+}
+
+} // namespace halbench::app

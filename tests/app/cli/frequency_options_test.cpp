@@ -1,0 +1,62 @@
+#include "app/cli/frequency_options.h"
+#include "control/base/units.h"
+
+#include <gtest/gtest.h>
+
+namespace halbench::app {
+
+TEST(FrequencyOptions, whatIsNotGivenKeepsItsDefault) {
+    const Result<FrequencyConfig> config = frequencyConfigFrom({});
+    ASSERT_TRUE(config);
+    EXPECT_EQ(config->excitation, Excitation::Multisine);
+    EXPECT_EQ(config->periods, 8);
+    EXPECT_FALSE(config->amplitude_rad);
+    EXPECT_EQ(config->leastCoherence, 0.9);
+}
+
+TEST(FrequencyOptions, readsEveryOption) {
+    CommandOptions options;
+    options.excitation = "stepped-sine";
+    options.fromFrequency = "1";
+    options.toFrequency = "20";
+    options.base = "-6";
+    options.amplitude = "0.5";
+    options.periods = "16";
+    options.coherence = "0.8";
+    const Result<FrequencyConfig> config = frequencyConfigFrom(options);
+    ASSERT_TRUE(config) << config.error().message;
+    EXPECT_EQ(config->excitation, Excitation::SteppedSine);
+    EXPECT_EQ(config->from_Hz, 1.0);
+    EXPECT_EQ(config->to_Hz, 20.0);
+    EXPECT_EQ(config->base_rad_s, -6.0);
+    EXPECT_NEAR(*config->amplitude_rad, 0.5 * Pi / 180.0, 1e-15);
+    EXPECT_EQ(config->periods, 16);
+    EXPECT_EQ(config->leastCoherence, 0.8);
+}
+
+TEST(FrequencyOptions, refusesWhatIsNoNumberOrName) {
+    CommandOptions options;
+    options.periods = "8.5";
+    EXPECT_EQ(frequencyConfigFrom(options).error().code, ErrorCode::Usage);
+    options = {};
+    options.base = "fast";
+    EXPECT_EQ(frequencyConfigFrom(options).error().code, ErrorCode::Usage);
+    options = {};
+    options.excitation = "noise";
+    EXPECT_EQ(frequencyConfigFrom(options).error().code, ErrorCode::Usage);
+}
+
+TEST(FrequencyOptions, belongToFrequencyAlone) {
+    CommandOptions options;
+    EXPECT_TRUE(checkFrequencyOptions(options));
+    options.toFrequency = "20";
+    EXPECT_EQ(checkFrequencyOptions(options).error().code, ErrorCode::Usage);
+    options.isFrequency = true;
+    EXPECT_TRUE(checkFrequencyOptions(options));
+    options.given = {"J=5.5e-4"};
+    const Result<void> mixed = checkFrequencyOptions(options);
+    ASSERT_FALSE(mixed);
+    EXPECT_NE(mixed.error().message.find("--given"), std::string::npos);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,87 @@
+#include "app/headless/command_outputs.h"
+
+#include <QtCore/QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace halbench::app {
+namespace {
+
+class CommandOutputs : public testing::Test {
+protected:
+    std::string path(const std::string& name) const { return m_folder.filePath(name.c_str()).toStdString(); }
+    std::string there(const std::string& name) const {
+        std::ofstream(path(name)) << "x";
+        return path(name);
+    }
+    static Result<void> check(const std::vector<std::string>& arguments) {
+        const auto line = parseCommandLine(arguments);
+        EXPECT_TRUE(line) << line.error().message;
+        return checkOutputs(*line);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+TEST_F(CommandOutputs, aFileThatIsThereIsNotOverwritten) {
+    const std::string file = there("old.csv");
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"record", "sim:htm", "--duration", "1", "--out", file},
+          {"identify", "sim:htm", "--record", file},
+          {"identify", "sim:htm", "--out", file},
+          {"calibrate", "sim:htm", "hall", "--out", file},
+          {"tune", "m.json", "--out", file},
+          {"tune", "m.json", "--code", file},
+          {"tune", "m.json", "--picture", "bode=" + file},
+          {"analyse", "m.json", "g.json", "--bode", file},
+          {"analyse", "m.json", "g.json", "--step", file},
+          {"analyse", "m.json", "g.json", "--poles", file},
+          {"convert", "in.csv", file},
+          {"spectrum", "in.csv", "--signal", "a", "--out", file},
+          {"plot", "in.csv", "--out", file},
+          {"import", "in.txt", "--out", file},
+          {"overlay", "a.csv", "b.csv", "--signals", "x", "--out", file},
+          {"config", "save", "sim:htm", file}}) {
+        const auto checked = check(arguments);
+        ASSERT_FALSE(checked) << arguments[0] << ' ' << arguments[2];
+        EXPECT_EQ(checked.error().code, ErrorCode::Usage);
+        EXPECT_NE(checked.error().message.find(file), std::string::npos);
+        std::vector<std::string> forced = arguments;
+        forced.emplace_back("--force");
+        EXPECT_TRUE(check(forced)) << arguments[0];
+    }
+}
+
+TEST_F(CommandOutputs, whatIsReadMayBeThere) {
+    const std::string file = there("old.toml");
+    EXPECT_TRUE(check({"config", "compare", "sim:htm", file}));
+    EXPECT_TRUE(check({"analyse", there("m.json"), there("g.json")}));
+    EXPECT_TRUE(check({"record", "sim:htm", "--duration", "1", "--out", path("new.csv")}));
+    EXPECT_TRUE(check({"identify", "sim:htm", "--out", "/dev/null"}));
+}
+
+TEST_F(CommandOutputs, aSidecarThatIsThereIsKept) {
+    there("old.meta.json");
+    EXPECT_FALSE(check({"record", "sim:htm", "--duration", "1", "--out", path("old.csv")}));
+    EXPECT_TRUE(check({"record", "sim:htm", "--duration", "1", "--out", path("old.csv"), "--force"}));
+}
+
+TEST_F(CommandOutputs, aFolderWithResultsNeedsForceAndAnyOtherIsRefused) {
+    std::filesystem::create_directory(path("run"));
+    EXPECT_TRUE(check({"run", "e.toml", "--out", path("run")}));
+    EXPECT_TRUE(check({"run", "e.toml", "--out", path("new")}));
+    there("run/result.json");
+    there("run/step.csv");
+    EXPECT_FALSE(check({"run", "e.toml", "--out", path("run")}));
+    EXPECT_TRUE(check({"run", "e.toml", "--out", path("run"), "--force"}));
+    EXPECT_TRUE(check({"run", "e.toml", "--out", path("run"), "--dry-run"}));
+    there("run/thesis.docx");
+    EXPECT_FALSE(check({"run", "e.toml", "--out", path("run"), "--force"}));
+}
+
+} // namespace
+} // namespace halbench::app

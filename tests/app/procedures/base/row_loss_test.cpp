@@ -1,0 +1,38 @@
+#include "app/procedures/base/row_loss.h"
+
+#include <gtest/gtest.h>
+
+namespace halbench::app {
+namespace {
+
+devices::LinkStatistics counted(std::uint64_t received, std::uint64_t lost, std::uint64_t damaged) {
+    devices::LinkStatistics link;
+    link.packetsReceived = received;
+    link.packetsLost = lost;
+    link.packetsDamaged = damaged;
+    return link;
+}
+
+TEST(RowLoss, itsCauseIsWhatTheLinkCountedMeanwhile) {
+    const auto before = counted(1000, 50, 7);
+    EXPECT_EQ(causeOfRowLoss(before, counted(1980, 70, 27)).words, "the line damaged 2 % of the frames");
+    EXPECT_EQ(causeOfRowLoss(before, counted(1900, 150, 7)).words,
+              "10 % of the packets were lost and none was damaged: a queue was full");
+    EXPECT_EQ(causeOfRowLoss(before, counted(2000, 50, 7)).words,
+              "no packet was lost or damaged: the board left rows out or sent them late");
+    EXPECT_EQ(causeOfRowLoss(before, before).words, "") << "a recording that is replayed has no link";
+}
+
+TEST(RowLoss, isNamedInItsFindingAlone) {
+    DataQuality quality;
+    quality.findings = {{"rows_lost", "3 of 100 rows are missing", ""}, {"noisy", "noisy", "wait"}};
+    nameRowLoss(quality, {"the line damaged 2 % of the frames", "shorten the cable"});
+    EXPECT_EQ(quality.findings[0].message, "3 of 100 rows are missing: the line damaged 2 % of the frames");
+    EXPECT_EQ(quality.findings[0].hint, "shorten the cable");
+    EXPECT_EQ(quality.findings[1].message, "noisy");
+    nameRowLoss(quality, {});
+    EXPECT_EQ(quality.findings[0].hint, "shorten the cable") << "nothing is known of another cause";
+}
+
+} // namespace
+} // namespace halbench::app

@@ -1,0 +1,128 @@
+#include "control/assess/friction_cycles.h"
+#include "control/base/random.h"
+#include "control/base/units.h"
+#include "control/law/shaped_delta.h"
+#include "control/law/shaped_position_law.h"
+#include "tests/control/published_motor.h"
+#include "tests/control/shaped_example.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace halbench::control {
+namespace {
+
+constexpr double Period_s = 0.01;
+
+// While nothing limits it and nothing is fed forward it is the controller that the loop is judged with.
+TEST(ShapedPositionLaw, withinItsLimitIsTheJudgedController) {
+    auto law = ShapedPositionLaw::make(shaped(), {}, Period_s, 1e6);
+    auto controller = ShapedController::make(shaped(), Period_s);
+    ASSERT_TRUE(law && controller);
+    Random random(3);
+    for (int i = 0; i < 500; ++i) {
+        const double reference_rad = random.gaussian();
+        const double angle_rad = random.gaussian();
+        ASSERT_EQ(law->step({reference_rad, 0.0, 0.0}, angle_rad),
+                  controller->step(reference_rad, angle_rad));
+    }
+}
+
+// A constant error at the limit: the integral stands still, and the current comes off at once when the error
+// turns, where one that had gone on would hold it for as long again.
+TEST(ShapedPositionLaw, theIntegralWaitsAtTheLimit) {
+    constexpr double Limit_A = 2.0;
+    ShapedLaw plain;
+    plain.gains.proportional = 1.0;
+    plain.gains.integral = 50.0;
+    plain.filters = {LowPassFilter{200.0, 1}};
+    auto law = ShapedPositionLaw::make(plain, {}, Period_s, Limit_A);
+    ASSERT_TRUE(law);
+    for (int i = 0; i < 1000; ++i) {
+        EXPECT_LE(law->step({1.0, 0.0, 0.0}, 0.0), Limit_A);
+    }
+    int samples = 0;
+    while (law->step({-1.0, 0.0, 0.0}, 0.0) > -Limit_A && samples < 100) {
+        ++samples;
+    }
+    // From at most 2 A of integral down to -1 A at 0.5 A a sample, and the low-pass's sample or two.
+    EXPECT_LT(samples, 10);
+}
+
+TEST(ShapedPositionLaw, addsWhatIsFedForwardAfterTheFilters) {
+    PositionLaw extras;
+    extras.inertia_A_s2_rad = 0.1;
+    extras.viscous_A_s_rad = 0.2;
+    extras.coulomb_A = 0.3;
+    extras.coulombSpeed_rad_s = 0.5;
+    extras.stictionCurrent_A = 0.7;
+    extras.stictionThreshold_rad = 0.01;
+    const auto at = [&](const ShapedPositionLaw::Reference& reference, double angle_rad) {
+        auto with = ShapedPositionLaw::make(shaped(), extras, Period_s, 1e6);
+        auto without = ShapedPositionLaw::make(shaped(), {}, Period_s, 1e6);
+        return with->step(reference, angle_rad) - without->step(reference, angle_rad);
+    };
+    EXPECT_NEAR(at({0.0, 2.0, 3.0}, 0.0), 0.1 * 3.0 + 0.2 * 2.0 + 0.3, 1e-12);
+    EXPECT_NEAR(at({0.0, -0.25, 0.0}, 0.0), -0.2 * 0.25 - 0.3 * 0.5, 1e-12);
+    EXPECT_NEAR(at({0.0, 0.0, 0.0}, 0.02), -0.7, 1e-12);
+    EXPECT_NEAR(at({0.0, 0.0, 0.0}, 0.005), 0.0, 1e-12);
+}
+
+// The balance of a shaped loop against the loop itself, sample by sample with friction: a low-pass turns the
+// phase of a loop that came to rest, and it swings.
+TEST(ShapedPositionLaw, swingsAsTheHarmonicBalancePredicts) {
+    constexpr double Limit_A = 4.0;
+    const LoopTiming timing{Period_s, 0};
+    PositionPlant plant = published();
+    plant.breakawayCurrent_A *= 0.1;
+    ShapedLaw law;
+    law.gains.proportional = 14.0;
+    law.gains.integral = 0.1;
+    EXPECT_TRUE(frictionCycles(plant, law.gains, timing, Limit_A)->empty());
+    law.filters = {LowPassFilter{150.0, 1}};
+    const auto cycles = frictionCycles(plant, *deltaController(law, timing.period_s), timing, Limit_A);
+    ASSERT_TRUE(cycles);
+    ASSERT_EQ(cycles->size(), 2u);
+    auto running = ShapedPositionLaw::make(law, {}, Period_s, Limit_A);
+    ASSERT_TRUE(running);
+    double angle_rad = -1.7, speed_rad_s = 0.0, current_A = 0.0, most = -1e9, least = 1e9;
+    int crossings = 0;
+    constexpr int Steps = 200; // of a sample, by Euler's method: 5e-5 s against a swing of some 0.3 s
+    constexpr double Step_s = Period_s / Steps;
+    for (int sample = 0; sample < 4000; ++sample) {
+        current_A = running->step({0.0, 0.0, 0.0}, angle_rad);
+        const double before_rad = angle_rad;
+        for (int i = 0; i < Steps; ++i) {
+            const double friction_A =
+                speed_rad_s != 0.0
+                    ? std::copysign(plant.breakawayCurrent_A, speed_rad_s)
+                    : std::clamp(current_A, -plant.breakawayCurrent_A, plant.breakawayCurrent_A);
+            const double next =
+                speed_rad_s + Step_s * (plant.accelerationGain_rad_s2_A * (current_A - friction_A) -
+                                        plant.dampingRate_1_s * speed_rad_s);
+            speed_rad_s = next * speed_rad_s < 0.0 ? 0.0 : next;
+            angle_rad += Step_s * speed_rad_s;
+        }
+        if (sample >= 2000) { // 20 s: what was at the beginning is over
+            most = std::max(most, angle_rad);
+            least = std::min(least, angle_rad);
+            crossings += before_rad < 0.0 && angle_rad >= 0.0 ? 1 : 0;
+        }
+    }
+    // 10 %: what the describing function is good for (friction_cycles.h).
+    EXPECT_NEAR(2.0 * (*cycles)[1].amplitude / (most - least), 1.0, 0.1);
+    EXPECT_NEAR((*cycles)[1].frequency_rad_s / (2.0 * Pi * crossings / 20.0), 1.0, 0.1);
+}
+
+TEST(ShapedPositionLaw, whatIsNoLawIsRefused) {
+    ShapedLaw law = shaped();
+    law.derivativeWeight = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(ShapedPositionLaw::make(law, {}, Period_s, 1.0).error().code, ErrorCode::NotFinite);
+    EXPECT_EQ(ShapedPositionLaw::make(shaped(), {}, Period_s, 0.0).error().code, ErrorCode::OutOfRange);
+}
+
+} // namespace
+} // namespace halbench::control

@@ -1,0 +1,191 @@
+#include "widgets/controls/status_strip.h"
+
+#include "widgets/controls/elided_label.h"
+#include "widgets/theme/icons.h"
+
+#include <QAccessible>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyleHints>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr int Symbol_px = 16;
+/// What is seen of long words when the window is narrow.
+constexpr int DeviceCharacters = 7;
+constexpr int StateCharacters = 13;
+/// Of each, where a control stands beside them: it says the state as well.
+constexpr int CharactersBesideControl = 3;
+
+Role roleOfState(WorkState state) {
+    switch (state) {
+    case WorkState::Connected:
+        return Role::Good;
+    case WorkState::Armed:
+    case WorkState::Running:
+        return Role::Armed;
+    case WorkState::Stopped:
+    case WorkState::Fault:
+        return Role::Bad;
+    case WorkState::Disconnected:
+        break;
+    }
+    return Role::Muted;
+}
+
+QString iconOfState(WorkState state) {
+    switch (state) {
+    case WorkState::Connected:
+        return QStringLiteral("connect");
+    case WorkState::Armed:
+        return QStringLiteral("arm");
+    case WorkState::Running:
+        return QStringLiteral("play");
+    case WorkState::Stopped:
+        return QStringLiteral("stop");
+    case WorkState::Fault:
+        return QStringLiteral("warning");
+    case WorkState::Disconnected:
+        break;
+    }
+    return QStringLiteral("disconnect");
+}
+
+} // namespace
+
+StatusStrip::StatusStrip(QWidget* parent)
+    : QFrame(parent), m_deviceLabel(new ElidedLabel(DeviceCharacters, this)),
+      m_simulatedBadge(new QLabel(this)), m_stateSymbol(new QLabel(this)),
+      m_stateBadge(new ElidedLabel(StateCharacters, this)) {
+    setProperty("surface", QStringLiteral("strip"));
+    m_simulatedBadge->setProperty("badge", true);
+    m_stateBadge->setProperty("badge", true);
+    setRole(*m_simulatedBadge, Role::Simulated);
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(PanelMargin_px, GridStep_px, PanelMargin_px, GridStep_px);
+    row->setSpacing(PanelMargin_px);
+    row->addWidget(m_deviceLabel);
+    row->addWidget(m_simulatedBadge);
+    row->addSpacing(GridStep_px);
+    row->addWidget(m_stateSymbol);
+    row->addWidget(m_stateBadge);
+    row->addStretch(1);
+    connect(&m_blink, &QTimer::timeout, this, [this] {
+        m_isSymbolShown = !m_isSymbolShown;
+        refreshSymbol();
+    });
+    refresh();
+}
+
+void StatusStrip::setState(WorkState state, const QString& detail) {
+    if (m_state == state && m_detail == detail) {
+        return;
+    }
+    m_state = state;
+    m_detail = detail;
+    refresh();
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+}
+
+void StatusStrip::setFaultLatched(bool isLatched) {
+    const int period_ms = QGuiApplication::styleHints()->cursorFlashTime();
+    if (!isLatched || period_ms <= 0) {
+        m_blink.stop();
+        m_isSymbolShown = true;
+    } else if (!m_blink.isActive()) {
+        m_blink.start(period_ms); // shown and hidden for a cursor's whole period: half as fast as it blinks
+    }
+    refreshSymbol();
+}
+
+void StatusStrip::setDevice(const QString& name, bool isSimulated) {
+    m_device = name;
+    m_isSimulated = isSimulated;
+    refresh();
+}
+
+void StatusStrip::clearDevice() {
+    setDevice({}, false);
+}
+
+void StatusStrip::addControl(QWidget& control) {
+    m_control = &control;
+    layout()->addWidget(&control);
+    control.hide();
+}
+
+void StatusStrip::setControlShown(bool isShown) {
+    m_control->setVisible(isShown);
+    m_deviceLabel->setLeastCharacters(isShown ? CharactersBesideControl : DeviceCharacters);
+    m_stateBadge->setLeastCharacters(isShown ? CharactersBesideControl : StateCharacters);
+}
+
+QString StatusStrip::stateText() const {
+    switch (m_state) {
+    case WorkState::Connected:
+        return tr("Connected");
+    case WorkState::Armed:
+        return m_detail.isEmpty() ? tr("Armed") : tr("Armed, %1").arg(m_detail);
+    case WorkState::Running:
+        return m_detail.isEmpty() ? tr("Running") : tr("Running %1").arg(m_detail);
+    case WorkState::Stopped:
+        return m_detail.isEmpty() ? tr("Stopped") : tr("Stopped (%1)").arg(m_detail);
+    case WorkState::Fault:
+        return m_detail.isEmpty() ? tr("Fault") : tr("Fault (%1)").arg(m_detail);
+    case WorkState::Disconnected:
+        break;
+    }
+    return tr("Disconnected");
+}
+
+void StatusStrip::refresh() {
+    const Role role = roleOfState(m_state);
+    m_deviceLabel->setWords(m_device.isEmpty() ? tr("No device") : m_device);
+    setRole(*m_deviceLabel, m_device.isEmpty() ? Role::Muted : Role::None);
+    m_simulatedBadge->setText(tr("SIMULATED"));
+    m_simulatedBadge->setToolTip(tr("This device is a simulation inside the program; nothing real moves"));
+    m_simulatedBadge->setVisible(m_isSimulated);
+    refreshSymbol();
+    m_stateBadge->setWords(stateText());
+    setRole(*m_stateBadge, role);
+    setRole(*this, role);
+    setAccessibleName(tr("State of the device"));
+    setAccessibleDescription(m_isSimulated ? tr("%1, simulated, %2").arg(m_deviceLabel->words(), stateText())
+                                           : tr("%1, %2").arg(m_deviceLabel->words(), stateText()));
+}
+
+void StatusStrip::refreshSymbol() {
+    QPixmap symbol = themedIcon(iconOfState(m_state), roleOfState(m_state)).pixmap(Symbol_px, Symbol_px);
+    if (!m_isSymbolShown) {
+        symbol.fill(Qt::transparent); // keeps its place
+    }
+    m_stateSymbol->setPixmap(symbol);
+}
+
+QSize StatusStrip::minimumSizeHint() const {
+    const auto spared_px = [](const ElidedLabel& label, int characters) {
+        return label.leastWidth_px(characters) - label.minimumSizeHint().width();
+    };
+    const QSize now = QFrame::minimumSizeHint();
+    const int control_px = m_control == nullptr || m_control->isHidden()
+                               ? 0
+                               : m_control->minimumSizeHint().width() + layout()->spacing();
+    const int badge_px =
+        m_simulatedBadge->isHidden() ? m_simulatedBadge->sizeHint().width() + layout()->spacing() : 0;
+    return {now.width() + spared_px(*m_deviceLabel, DeviceCharacters) +
+                spared_px(*m_stateBadge, StateCharacters) + badge_px - control_px,
+            now.height()};
+}
+
+void StatusStrip::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::StyleChange) {
+        refresh();
+    }
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,240 @@
+#include "widgets/live_plot/live_legend.h"
+
+#include "widgets/live_plot/unit_menu.h"
+
+#include <QAction>
+#include <QContextMenuEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QKeySequence>
+#include <QMenu>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace halbench::widgets {
+namespace {
+
+constexpr int CellPadding = 8;
+constexpr int MostRowsBelow = 4;   ///< of a legend below its plot; further ones are scrolled to
+constexpr int LongestName = 22;    ///< characters of a curve's name before it is shortened
+constexpr int LineSampleRoom = 40; ///< beside the name
+constexpr int LeastLetters = 6;    ///< of a shortened name
+
+/// The beginning that no other of the names has, and dots for the rest.
+QString tellingPart(const QString& name, const QStringList& names) {
+    int shared = LeastLetters - 1;
+    for (const QString& other : names) {
+        const auto parting = std::mismatch(name.begin(), name.end(), other.begin(), other.end()).first;
+        shared = std::max(shared, static_cast<int>(parting - name.begin()));
+    }
+    return shared + 2 < name.size() ? name.left(shared + 1) + QChar(0x2026) : name;
+}
+
+} // namespace
+
+LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
+    setModel(&m_table);
+    setFrameShape(QFrame::NoFrame);
+    setProperty("surface", QStringLiteral("legend")); // part of its plot: no border of its own
+    setShowGrid(false);
+    setWordWrap(false);
+    setTextElideMode(Qt::ElideRight);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setTabKeyNavigation(false); // Tab leaves the legend
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setMinimumSectionSize(8);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setTextElideMode(Qt::ElideRight); // a narrow name's column says so
+    setCursorColumnsShown(false, false);
+    setAccessibleName(tr("Legend with live values"));
+    setAccessibleDescription(tr(
+        "Space hides or shows the chosen curve, R puts it on the other axis, U offers its units, Ctrl and an "
+        "arrow key puts it into the plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right "
+        "into one beside, Delete removes it from the plot."));
+    setToolTip(accessibleDescription());
+    connect(this, &QTableView::doubleClicked, this,
+            [this](const QModelIndex& index) { Q_EMIT toggleRequested(index.row()); });
+}
+
+void LiveLegend::setTheme(const Theme& theme) {
+    m_table.setTheme(theme);
+    QPalette colours = palette();
+    colours.setColor(QPalette::Base, theme.panel);
+    colours.setColor(QPalette::Text, theme.text);
+    setPalette(colours);
+}
+
+void LiveLegend::setCursorColumnsShown(bool areShown, bool hasHeader) {
+    for (const int column : {LegendTableModel::AtA, LegendTableModel::AtB, LegendTableModel::Difference}) {
+        setColumnHidden(column, !areShown);
+    }
+    horizontalHeader()->setVisible(areShown && hasHeader);
+}
+
+LiveLegend::Widths LiveLegend::neededWidths() const {
+    Widths widths{};
+    for (int row = 0; row < m_table.rowCount(); ++row) {
+        const QString name = m_table.widestText(row, LegendTableModel::Name);
+        const int name_px =
+            std::min(fontMetrics().horizontalAdvance(name), LongestName * fontMetrics().averageCharWidth());
+        widths[LegendTableModel::Name] = std::max(widths[LegendTableModel::Name], name_px + LineSampleRoom);
+        for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
+            const QString text = m_table.widestText(row, static_cast<LegendTableModel::Column>(column));
+            int& width = widths[static_cast<std::size_t>(column)];
+            width = std::max(width, fontMetrics().horizontalAdvance(text) + CellPadding);
+        }
+    }
+    return widths;
+}
+
+int LiveLegend::leastNameWidth() const {
+    QStringList names;
+    for (int row = 0; row < m_table.rowCount(); ++row) {
+        names << m_table.widestText(row, LegendTableModel::Name);
+    }
+    int width = 0;
+    for (int row = 0; row < names.size(); ++row) {
+        QStringList others = names;
+        others.removeAt(row);
+        const QString part = tellingPart(names[row], others);
+        width = std::max(width, fontMetrics().horizontalAdvance(part) + LineSampleRoom);
+    }
+    return std::max(width, horizontalHeader()->isHidden()
+                               ? 0
+                               : horizontalHeader()->sectionSizeHint(LegendTableModel::Name));
+}
+
+void LiveLegend::setWidths(const Widths& widths, int total_px) {
+    int rest = total_px - 2 * frameWidth();
+    rest -= verticalScrollBar()->isVisible() ? verticalScrollBar()->width() : 0;
+    for (int column = LegendTableModel::Value; column < LegendTableModel::Columns; ++column) {
+        const bool isCounted = column == LegendTableModel::Value || !isColumnHidden(column);
+        setColumnWidth(column, widths[static_cast<std::size_t>(column)]);
+        rest -= isCounted ? widths[static_cast<std::size_t>(column)] : 0;
+    }
+    // Beside the values at both cursors in a narrow column, the live one goes before the names do.
+    const bool isNowHidden = !isColumnHidden(LegendTableModel::AtA) && rest < widths[LegendTableModel::Name];
+    rest += isNowHidden ? widths[LegendTableModel::Value] : 0;
+    setColumnHidden(LegendTableModel::Value, isNowHidden);
+    setColumnWidth(LegendTableModel::Name, std::max(rest, 0));
+    setMinimumWidth(m_isBelow ? 0 : total_px);
+    setMaximumWidth(m_isBelow ? QWIDGETSIZE_MAX : total_px);
+}
+
+void LiveLegend::setBelow(bool isBelow) {
+    m_isBelow = isBelow;
+    const int header_px = horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
+    const int rows = std::clamp(m_table.rowCount(), 1, MostRowsBelow);
+    const int height_px = header_px + rows * verticalHeader()->defaultSectionSize() + 2 * frameWidth();
+    setMinimumHeight(isBelow ? height_px : 0);
+    setMaximumHeight(isBelow ? height_px : QWIDGETSIZE_MAX);
+}
+
+/// What a key does with the chosen curve; false: nothing.
+bool LiveLegend::run(const QKeySequence& keys) {
+    const int row = currentIndex().row();
+    if (row < 0) {
+        return false;
+    }
+    if (keys == QKeySequence(Qt::Key_Space)) {
+        Q_EMIT toggleRequested(row);
+    } else if (keys == QKeySequence(Qt::Key_R)) {
+        Q_EMIT axisRequested(row);
+    } else if (keys == QKeySequence(Qt::Key_U)) {
+        showUnits(row);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Up"))) {
+        Q_EMIT moveRequested(row, -1);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Down"))) {
+        Q_EMIT moveRequested(row, 1);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Left"))) {
+        Q_EMIT moveBesideRequested(row, -1);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Right"))) {
+        Q_EMIT moveBesideRequested(row, 1);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Shift+Down"))) {
+        Q_EMIT separateRequested(row);
+    } else if (keys == QKeySequence(QStringLiteral("Ctrl+Shift+Right"))) {
+        Q_EMIT separateBesideRequested(row);
+    } else if (keys == QKeySequence(Qt::Key_Delete)) {
+        Q_EMIT removeRequested(row);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool LiveLegend::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride) { // they are the stack's elsewhere, as Space is its pause
+        const auto* press = static_cast<QKeyEvent*>(event);
+        const int key = press->key();
+        const auto modifiers = press->modifiers() & ~Qt::KeypadModifier;
+        const bool isPlain = modifiers == Qt::NoModifier && (key == Qt::Key_Space || key == Qt::Key_Delete ||
+                                                             key == Qt::Key_R || key == Qt::Key_U);
+        const bool isBeside = modifiers == (Qt::ControlModifier | Qt::ShiftModifier) && key == Qt::Key_Right;
+        if (currentIndex().isValid() && (isPlain || isBeside)) {
+            event->accept();
+            return true;
+        }
+    }
+    return QTableView::event(event);
+}
+
+void LiveLegend::keyPressEvent(QKeyEvent* event) {
+    const int modifiers = static_cast<int>(event->modifiers() & ~Qt::KeypadModifier);
+    if (!run(QKeySequence(event->key() | modifiers))) {
+        QTableView::keyPressEvent(event);
+    }
+}
+
+/// Null where there is nothing to choose.
+QMenu* LiveLegend::makeUnitMenu(int row) {
+    return unitMenu(m_table.curve(row), *this,
+                    [this, row](const std::string& unit) { Q_EMIT unitRequested(row, unit); });
+}
+
+/// Below the chosen curve, from its unit on.
+void LiveLegend::showUnits(int row) {
+    if (QMenu* units = makeUnitMenu(row)) {
+        units->setAttribute(Qt::WA_DeleteOnClose);
+        units->popup(viewport()->mapToGlobal(visualRect(currentIndex()).bottomLeft()));
+    }
+}
+
+void LiveLegend::contextMenuEvent(QContextMenuEvent* event) {
+    if (event->reason() == QContextMenuEvent::Mouse) {
+        setCurrentIndex(indexAt(event->pos()));
+    }
+    const int row = currentIndex().row();
+    if (row < 0) {
+        return;
+    }
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setAccessibleName(tr("The chosen curve"));
+    const auto add = [&](const QString& text, const QKeySequence& keys) {
+        QAction* action = menu->addAction(text);
+        action->setShortcut(keys);
+        connect(action, &QAction::triggered, this, [this, keys] { run(keys); });
+    };
+    add(m_table.isShown(row) ? tr("Hide") : tr("Show"), QKeySequence(Qt::Key_Space));
+    add(m_table.isRight(row) ? tr("To the left axis") : tr("To the right axis"), QKeySequence(Qt::Key_R));
+    if (QMenu* units = makeUnitMenu(row)) {
+        menu->addMenu(units)->setText(tr("Unit") + QStringLiteral("\tU"));
+    }
+    add(tr("To the plot above"), QKeySequence(QStringLiteral("Ctrl+Up")));
+    add(tr("To the plot below"), QKeySequence(QStringLiteral("Ctrl+Down")));
+    add(tr("To the plot at the left"), QKeySequence(QStringLiteral("Ctrl+Left")));
+    add(tr("To the plot at the right"), QKeySequence(QStringLiteral("Ctrl+Right")));
+    add(tr("Into a plot of its own"), QKeySequence(QStringLiteral("Ctrl+Shift+Down")));
+    add(tr("Into a plot of its own at the right"), QKeySequence(QStringLiteral("Ctrl+Shift+Right")));
+    add(tr("Remove from the plot"), QKeySequence(Qt::Key_Delete));
+    menu->popup(event->globalPos());
+}
+
+} // namespace halbench::widgets
