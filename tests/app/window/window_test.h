@@ -17,7 +17,7 @@ namespace halbench::app {
 /// earlier test of the same process left in an unnamed project would be taken up by the next that recovers.
 class WindowTest : public testing::Test {
 protected:
-    static constexpr int Patience_ms = 20000;
+    static constexpr int Patience_ms = 120000;
 
     struct Platform {
         Platform() {

@@ -9,7 +9,7 @@ namespace {
 
 class LoopCaptureTest : public testing::Test {
 protected:
-    static constexpr int Patience_ms = 20000;
+    static constexpr int Patience_ms = 120000;
     static constexpr double Own = 3.0; ///< of the board before anything is captured
 
     void SetUp() override {

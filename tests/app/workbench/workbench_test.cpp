@@ -11,7 +11,7 @@
 namespace halbench::app {
 namespace {
 
-constexpr int Patience_ms = 20000;
+constexpr int Patience_ms = 120000;
 
 class WorkbenchTest : public testing::Test {
 protected:

@@ -15,7 +15,7 @@ namespace halbench::app {
 /// A workbench on the simulated motor with a window's heartbeat, for driving panels through their widgets.
 class BenchTest : public widgets::GuiTest {
 protected:
-    static constexpr int Patience_ms = 20000;
+    static constexpr int Patience_ms = 120000;
 
     void SetUp() override {
         GuiTest::SetUp();

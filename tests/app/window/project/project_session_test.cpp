@@ -23,7 +23,7 @@ protected:
     bool saved(ProjectSession& session, const char* name) {
         std::optional<bool> answer;
         session.save(file(name), [&](const Result<void>& written) { answer = written.has_value(); });
-        return QTest::qWaitFor([&] { return answer.has_value(); }, 20000) && *answer;
+        return QTest::qWaitFor([&] { return answer.has_value(); }, 120000) && *answer;
     }
 
     int argumentCount = 1;
@@ -102,7 +102,7 @@ TEST_F(ProjectSessionTest, anAutosaveOfAProjectThatWasLeftMeanwhileIsNotOfferedL
     bool isWritten = false;
     session.autosave([&](const Result<void>&) { isWritten = true; });
     session.startNew();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return isWritten; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isWritten; }, 120000));
     EXPECT_FALSE(session.recoverable(""));
     EXPECT_EQ(session.project(), Project());
 }
@@ -113,7 +113,7 @@ TEST_F(ProjectSessionTest, whatChangedDuringASaveIsStillToBeSaved) {
     bool isWritten = false;
     session.save(file("motor.toml"), [&](const Result<void>& written) { isWritten = written.has_value(); });
     session.update(withNotes("typed meanwhile"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return isWritten; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isWritten; }, 120000));
     EXPECT_TRUE(session.isChanged());
     EXPECT_EQ(loadProject(file("motor.toml"))->notes, "saved");
 }
