@@ -24,6 +24,7 @@ HOUSE = {
     "models/drives": (["control/base/", "models/drives/"], []),
     "models/thermal": (["models/thermal/"], []),
     "models/estimators": (["control/base/", "models/(fields|estimators)/"], []),
+    "models/planar": (["control/base/", "models/(planar|fields|sensors|drives|thermal)/"], []),
     "models": (["control/", "models/"], []),
     "devices/firmware": (["devices/firmware/"], []),
     "devices/transport": (["control/base/", "devices/transport/"], ["QtCore", "QtSerialPort"]),
