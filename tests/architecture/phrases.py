@@ -35,7 +35,8 @@ NO_SENTENCES = {"give them: --ran GAINS.json", "recorded move", "the same move w
                 "--rate_Hz F", "--time {}", "--unit {}={}", "--separator '{}'", "{}--decimal {}", "--header {}", "CR LF",
                 "{}, from {}", ", byte order mark", "{} column{}:"}
 # of these only texts with something filled in are messages; the others are help of the command line
-ONLY_FILLED_IN = ("models/htm/htm_parameters.cpp", "app/procedures/excite/move_reference.cpp")
+ONLY_FILLED_IN = ("models/htm/htm_parameters.cpp", "models/planar/planar_parameters.cpp",
+                  "app/procedures/excite/move_reference.cpp")
 
 TOKEN = re.compile(r'R"([^(\s]*)\((.*?)\)\1"|//[^\n]*|/\*.*?\*/|^[ \t]*#[^\n]*|\'(?:[^\'\\\n]|\\.){1,4}\''
                    r'|"((?:[^"\\\n]|\\.)*)"', re.S | re.M)
