@@ -2375,6 +2375,26 @@
         <translation>{} = {} ist außerhalb des Bereichs</translation>
     </message>
     <message>
+        <source>the planar positioner has no parameter &apos;{}&apos;</source>
+        <translation>der Planarpositionierer hat keinen Parameter „{}“</translation>
+    </message>
+    <message>
+        <source>a coil of {} mm width leaves no window within half a pitch of {} mm</source>
+        <translation>eine Spule von {} mm Breite lässt kein Fenster innerhalb eines halben Rasters von {} mm</translation>
+    </message>
+    <message>
+        <source>Make coil_width_mm smaller than {} mm.</source>
+        <translation>Wählen Sie coil_width_mm kleiner als {} mm.</translation>
+    </message>
+    <message>
+        <source>the start pose lies beyond the stops at {} mm and {} mrad</source>
+        <translation>die Startlage liegt außerhalb der Anschläge bei {} mm und {} mrad</translation>
+    </message>
+    <message>
+        <source>Keep x0_mm and y0_mm within {} mm, phi0_mrad within {} mrad.</source>
+        <translation>Halten Sie x0_mm und y0_mm innerhalb von {} mm, phi0_mrad innerhalb von {} mrad.</translation>
+    </message>
+    <message>
         <source>the motor has no parameter &apos;{}&apos;</source>
         <translation>der Motor hat keinen Parameter „{}“</translation>
     </message>

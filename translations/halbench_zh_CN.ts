@@ -2375,6 +2375,26 @@
         <translation>{} = {} 超出范围</translation>
     </message>
     <message>
+        <source>the planar positioner has no parameter &apos;{}&apos;</source>
+        <translation>平面定位台没有参数“{}”</translation>
+    </message>
+    <message>
+        <source>a coil of {} mm width leaves no window within half a pitch of {} mm</source>
+        <translation>宽 {} mm 的线圈在 {} mm 的半个磁极周期内没有留下窗口</translation>
+    </message>
+    <message>
+        <source>Make coil_width_mm smaller than {} mm.</source>
+        <translation>请将 coil_width_mm 设为小于 {} mm。</translation>
+    </message>
+    <message>
+        <source>the start pose lies beyond the stops at {} mm and {} mrad</source>
+        <translation>起始位姿超出了 {} mm 和 {} mrad 处的限位</translation>
+    </message>
+    <message>
+        <source>Keep x0_mm and y0_mm within {} mm, phi0_mrad within {} mrad.</source>
+        <translation>请使 x0_mm 和 y0_mm 不超过 {} mm，phi0_mrad 不超过 {} mrad。</translation>
+    </message>
+    <message>
         <source>the motor has no parameter &apos;{}&apos;</source>
         <translation>电机没有参数“{}”</translation>
     </message>
