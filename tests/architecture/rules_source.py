@@ -25,6 +25,7 @@ HOUSE = {
     "models/thermal": (["models/thermal/"], []),
     "models/estimators": (["control/base/", "models/(fields|estimators)/"], []),
     "models/planar": (["control/base/", "models/(planar|fields|sensors|drives|thermal)/"], []),
+    "models/spherical": (["control/base/", "models/(spherical|fields)/"], []),
     "models": (["control/", "models/"], []),
     "devices/firmware": (["devices/firmware/"], []),
     "devices/transport": (["control/base/", "devices/transport/"], ["QtCore", "QtSerialPort"]),
