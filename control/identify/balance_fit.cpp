@@ -53,6 +53,23 @@ Eigen::MatrixXd quantityMap(const Layout& layout) {
     return map;
 }
 
+// Without a stretch to spare the line goes through every balance, and the wrong friction that it then shows
+// is no measure of the scatter either: the largest balance bounds it as well.
+double assumedScatter_rad_s2(const std::vector<SegmentBalance>& balances, const LinearFit& line,
+                             const Layout& layout) {
+    constexpr double Scatter_ratio = 0.033; // resources/help/htm-theory.md section 9
+    double largest_rad_s2 = 0.0;
+    for (const SegmentBalance& balance : balances) {
+        largest_rad_s2 = std::max(largest_rad_s2, std::fabs(balance.balance_rad_s2));
+    }
+    for (const int column : {layout.forward, layout.reverse}) {
+        if (column >= 0) {
+            largest_rad_s2 = std::max(largest_rad_s2, std::fabs(line.coefficients(column)));
+        }
+    }
+    return Scatter_ratio * largest_rad_s2;
+}
+
 void addDirections(BalanceFit& balance, const Layout& layout, const LinearFit& line) {
     if (layout.forward >= 0) {
         balance.frictionForward_rad_s2 = line.coefficients(layout.forward);
@@ -99,9 +116,20 @@ Result<BalanceFit> fitBalance(const MotionFit& motion) {
         variance(i) = segment.error_rad_s2 * segment.error_rad_s2;
         slopes(i) = segment.slope_rad_s;
     }
-    const auto scatter = fitWithScatter(balance.design, balance.observed, variance);
+    auto scatter = fitWithScatter(balance.design, balance.observed, variance);
     if (!scatter) {
         return failure(scatter.error());
+    }
+    if (scatter->fit.freedom == 0) {
+        balance.isScatterAssumed = true;
+        const double assumed = assumedScatter_rad_s2(motion.balances, scatter->fit, *layout);
+        variance.array() += assumed * assumed;
+        scatter = fitWithScatter(balance.design, balance.observed, variance);
+        if (!scatter) {
+            return failure(scatter.error());
+        }
+        scatter->commonVariance = assumed * assumed;
+        scatter->fit.covariance = scatter->fit.unscaled;
     }
     const LinearFit& line = scatter->fit;
     balance.weights = scatter->weights;

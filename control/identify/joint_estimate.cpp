@@ -356,8 +356,9 @@ MotorRatios motorRatios(const MotionFit& motion, const std::optional<BalanceFit>
     }
     data.errors.push_back(
         {chosen * byDamping * chosen.transpose(), static_cast<double>(motion.dampingFreedom)});
-    data.errors.push_back(
-        {chosen * byScatter * chosen.transpose(), balance ? std::fmax(balance->freedom, 1.0) : Infinite});
+    const bool isScatterSeen = balance && !balance->isScatterAssumed;
+    data.errors.push_back({chosen * byScatter * chosen.transpose(),
+                           isScatterSeen ? std::fmax(balance->freedom, 1.0) : Infinite});
     data.errors.push_back({chosen * bySupply * chosen.transpose(), Infinite});
     const double friction = balance ? balance->friction_rad_s2.value_or(0.0) : 0.0;
     const double torque = balance ? balance->torque_rad_s2_A.value_or(0.0) : 0.0;

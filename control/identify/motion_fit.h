@@ -74,13 +74,16 @@ struct BalanceFit {
     Eigen::Matrix3d scatterCovariance = Eigen::Matrix3d::Zero(); ///< of (a, f, k) from run-to-run friction
     Eigen::Matrix3d dampingCovariance = Eigen::Matrix3d::Zero(); ///< of (a, f, k) from the error of a
     int freedom = 0;
-    double scatter_rad_s2 = 0.0; ///< run-to-run friction over J, 1 sigma
-    Eigen::MatrixXd design;      ///< columns s I (when k is decided), -1 per direction
+    double scatter_rad_s2 = 0.0;   ///< run-to-run friction over J, 1 sigma
+    bool isScatterAssumed = false; ///< no stretch is left over to show it
+    Eigen::MatrixXd design;        ///< columns s I (when k is decided), -1 per direction
     Eigen::VectorXd observed;
     Eigen::VectorXd weights;
     Eigen::VectorXd residuals;
 };
 
+/// As many stretches as unknowns leave nothing to see the scatter of friction by: 3.3 % of the largest torque
+/// that friction may be is taken then (resources/help/htm-theory.md section 9).
 /// Errors: Refused when the balances decide neither friction nor torque constant (run-ups at one current).
 Result<BalanceFit> fitBalance(const MotionFit& motion);
 

@@ -1,10 +1,12 @@
 #include "app/procedures/identify/identify_estimate.h"
 
 #include "control/identify/angle_column.h"
+#include "control/identify/motion_shape.h"
 #include "control/identify/plateau.h"
 
 #include <fmt/format.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -120,15 +122,22 @@ void takeTemperatures(const Recording& recording, IdentifyFits& fits) {
     }
 }
 
+control::SegmentConfig segmentConfigOf(const IdentifyConfig& config) {
+    control::SegmentConfig segments;
+    segments.slowest_rad_s = config.usableSpeed_rad_s;
+    return segments;
+}
+
+constexpr double PlateauWindow_s = 2.0;
+
+struct PlateauEnd {
+    control::PlateauSpeed speed;
+    bool isSteady = false;
+};
+
 // Mean speed of the last two seconds, steady or not.
-std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::span<const double> angle_rad,
-                                         double current_A, const IdentifyConfig& config, IdentifyFits& fits,
-                                         double& error_rad_s) {
-    constexpr double Window_s = 2.0;
-    if (current_A == 0.0 || time_s.back() - time_s.front() < Window_s + 0.02) {
-        return std::nullopt;
-    }
-    const double begin_s = time_s.back() - Window_s - 1e-6;
+std::optional<PlateauEnd> plateauEnd(std::span<const double> time_s, std::span<const double> angle_rad) {
+    const double begin_s = time_s.back() - PlateauWindow_s - 1e-6;
     const auto begin =
         static_cast<std::size_t>(std::lower_bound(time_s.begin(), time_s.end(), begin_s) - time_s.begin());
     const auto speed = control::fitRippledSpeed(time_s.subspan(begin), angle_rad.subspan(begin));
@@ -136,10 +145,62 @@ std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::sp
     if (!speed || !steadiness) {
         return std::nullopt;
     }
+    return PlateauEnd{*speed, steadiness->isSteady};
+}
+
+// The same of the steady motion that the plateau settles to. With the damping a known, the angle is that
+// straight line and alpha0 (e^{-a t} - 1)/a^2 (resources/help/identification.md section 3); what is left of
+// the settling must be small beside the speed, for it was not seen to end.
+std::optional<PlateauEnd> settledEnd(std::span<const double> time_s, std::span<const double> angle_rad,
+                                     double current_A, const IdentifyConfig& config, double damping_per_s) {
+    const control::CurrentPlateau all[] = {{0, time_s.size(), current_A}};
+    const auto stretches = control::findMotion(time_s, angle_rad, all, segmentConfigOf(config));
+    if (stretches.empty() || !(damping_per_s > 0.0)) {
+        return std::nullopt;
+    }
+    const control::MotionSegment& stretch = stretches.front();
+    const auto rows = static_cast<Eigen::Index>(stretch.angle_rad.size());
+    const Eigen::Vector3d local =
+        control::localShape(stretch, damping_per_s)
+            .householderQr()
+            .solve(Eigen::Map<const Eigen::VectorXd>(stretch.angle_rad.data(), rows));
+    constexpr double LargestRest_ratio = 0.1;
+    const double settling_rad_s = local(2) / damping_per_s;
+    const double duration_s = stretch.time_s.back() - stretch.time_s.front();
+    const double left_rad_s = settling_rad_s * std::exp(-damping_per_s * duration_s);
+    if (!(std::fabs(left_rad_s) < LargestRest_ratio * std::fabs(local(1) + settling_rad_s))) {
+        return std::nullopt;
+    }
+    std::vector<double> settled_rad(angle_rad.begin(), angle_rad.end());
+    for (std::size_t row = 0; row < settled_rad.size(); ++row) {
+        const double since_s = time_s[row] - stretch.time_s.front();
+        settled_rad[row] -= settling_rad_s / damping_per_s * std::exp(-damping_per_s * since_s);
+    }
+    return plateauEnd(time_s, settled_rad);
+}
+
+// Speed of one plateau, settled or settling.
+std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::span<const double> angle_rad,
+                                         double current_A, const IdentifyConfig& config, IdentifyFits& fits,
+                                         double& error_rad_s) {
+    if (current_A == 0.0 || time_s.back() - time_s.front() < PlateauWindow_s + 0.02) {
+        return std::nullopt;
+    }
+    auto end = plateauEnd(time_s, angle_rad);
+    if (!end) {
+        return std::nullopt;
+    }
     SweepPoint point;
     point.current_A = current_A;
-    point.speed_rad_s = speed->speed_rad_s;
-    error_rad_s = speed->speedError_rad_s;
+    if (!end->isSteady && fits.motion) {
+        const auto settled = settledEnd(time_s, angle_rad, current_A, config, fits.motion->damping_per_s);
+        if (settled && settled->isSteady) {
+            end = settled;
+            point.note = "settling: the speed that it approaches";
+        }
+    }
+    point.speed_rad_s = end->speed.speed_rad_s;
+    error_rad_s = end->speed.speedError_rad_s;
     const double along_rad_s = point.speed_rad_s * std::copysign(1.0, current_A);
     if (along_rad_s < -config.usableSpeed_rad_s) {
         point.note = "turns against its current";
@@ -150,7 +211,7 @@ std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::sp
     } else if (std::fabs(point.speed_rad_s) < config.usableSpeed_rad_s) {
         point.note = fmt::format("slower than {} rad/s", config.usableSpeed_rad_s);
         ++fits.slowPlateaus;
-    } else if (!steadiness->isSteady) {
+    } else if (!end->isSteady) {
         point.note = "not steady at its end";
         ++fits.unsteadyPlateaus;
     } else {
@@ -167,12 +228,6 @@ double lostSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point, double
     }
     const double gain = fits.balance->torque_rad_s2_A.value_or(0.0) / fits.motion->damping_per_s;
     return gain * point.current_A * loss_s2 * point.speed_rad_s * point.speed_rad_s;
-}
-
-control::SegmentConfig segmentConfigOf(const IdentifyConfig& config) {
-    control::SegmentConfig segments;
-    segments.slowest_rad_s = config.usableSpeed_rad_s;
-    return segments;
 }
 
 Result<void> askedToEnd(const AbortCheck& check) {

@@ -120,6 +120,12 @@ void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
                "run-ups and coast-downs could not be used: " + fits.motionProblem,
                "record run-ups and coast-downs at 100 Hz or more");
     }
+    if (fits.balance && fits.balance->isScatterAssumed) {
+        remark(result.quality, Verdict::Doubtful, "friction_scatter_assumed",
+               "there are no more stretches of motion than unknowns: how much friction differs between them "
+               "is assumed, 3.3 % of its torque, and not measured",
+               "record more run-ups and coast-downs at different currents, in both directions");
+    }
     if (!fits.balanceProblem.empty()) {
         remark(result.quality, Verdict::Good, "torque_not_separated", fits.balanceProblem,
                "use a higher current, so that the coast-down above 3 rad/s lasts longer than 0.12 s, or a "

@@ -59,7 +59,7 @@ struct SweepPoint {
     double speed_rad_s = 0.0; ///< signed
     bool isUsed = false;
     double weight = 0.0; ///< of the robust regression, 1 = full
-    std::string note;    ///< why it is not used
+    std::string note;    ///< why it is not used, or how
 };
 
 /// Everything that `halbench.identification/1` holds. Keys of `ratios`: c_over_J, Kf_over_J, phi_over_J,
