@@ -6590,6 +6590,78 @@
         <source>Try again.</source>
         <translation>Versuchen Sie es noch einmal.</translation>
     </message>
+    <message>
+        <source>A number of the spherical rotor is not finite.</source>
+        <translation>Eine Zahl des kugelförmigen Läufers ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>The outer radius of the magnet must be larger than the radius of its core.</source>
+        <translation>Der Außenradius des Magneten muss größer sein als der Radius seines Kerns.</translation>
+    </message>
+    <message>
+        <source>Relative permeabilities of the rotor are at least 1.</source>
+        <translation>Relative Permeabilitäten des Läufers sind mindestens 1.</translation>
+    </message>
+    <message>
+        <source>The amplitude of a spherical harmonic is not a finite number.</source>
+        <translation>Die Amplitude einer Kugelflächenfunktion ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>A spherical harmonic needs a degree of 1 to 16 and an order of 0 to its degree.</source>
+        <translation>Eine Kugelflächenfunktion braucht einen Grad von 1 bis 16 und eine Ordnung von 0 bis zu ihrem Grad.</translation>
+    </message>
+    <message>
+        <source>A number of the stator coil is not finite.</source>
+        <translation>Eine Zahl der Statorspule ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>A stator coil needs a positive radius, turns and an axis of length one.</source>
+        <translation>Eine Statorspule braucht einen positiven Radius, Windungen und eine Achse der Länge eins.</translation>
+    </message>
+    <message>
+        <source>A field sensor setting is not a finite number.</source>
+        <translation>Eine Einstellung des Feldsensors ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>A field sensor needs positive gains, noise of at least zero and a range of at least two steps of its converter.</source>
+        <translation>Ein Feldsensor braucht positive Verstärkungen, ein Rauschen von mindestens null und einen Bereich von mindestens zwei Stufen seines Wandlers.</translation>
+    </message>
+    <message>
+        <source>The pose of a field sensor is not a finite number.</source>
+        <translation>Die Lage eines Feldsensors ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>A field sensor lies inside the rotor.</source>
+        <translation>Ein Feldsensor liegt im Läufer.</translation>
+    </message>
+    <message>
+        <source>Place it outside the rotor&apos;s outer radius.</source>
+        <translation>Setzen Sie ihn außerhalb des Außenradius des Läufers.</translation>
+    </message>
+    <message>
+        <source>The three axes of a field sensor must be unit vectors that span the space.</source>
+        <translation>Die drei Achsen eines Feldsensors müssen Einheitsvektoren sein, die den Raum aufspannen.</translation>
+    </message>
+    <message>
+        <source>Two field sensors lie at the same place.</source>
+        <translation>Zwei Feldsensoren liegen an derselben Stelle.</translation>
+    </message>
+    <message>
+        <source>Each of the three sensors needs a place of its own.</source>
+        <translation>Jeder der drei Sensoren braucht eine eigene Stelle.</translation>
+    </message>
+    <message>
+        <source>settling: the speed that it approaches</source>
+        <translation>einschwingend: die Drehzahl, der er sich nähert</translation>
+    </message>
+    <message>
+        <source>there are no more stretches of motion than unknowns: how much friction differs between them is assumed, 3.3 % of its torque, and not measured</source>
+        <translation>es gibt nicht mehr Bewegungsabschnitte als Unbekannte: wie stark sich die Reibung zwischen ihnen unterscheidet, ist mit 3,3 % ihres Moments angenommen und nicht gemessen</translation>
+    </message>
+    <message>
+        <source>record more run-ups and coast-downs at different currents, in both directions</source>
+        <translation>zeichnen Sie mehr Hoch- und Ausläufe mit verschiedenen Strömen auf, in beiden Richtungen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -6590,6 +6590,78 @@
         <source>Try again.</source>
         <translation>请重试。</translation>
     </message>
+    <message>
+        <source>A number of the spherical rotor is not finite.</source>
+        <translation>球形转子的一个数值不是有限数。</translation>
+    </message>
+    <message>
+        <source>The outer radius of the magnet must be larger than the radius of its core.</source>
+        <translation>磁体的外半径必须大于其铁芯的半径。</translation>
+    </message>
+    <message>
+        <source>Relative permeabilities of the rotor are at least 1.</source>
+        <translation>转子的相对磁导率至少为 1。</translation>
+    </message>
+    <message>
+        <source>The amplitude of a spherical harmonic is not a finite number.</source>
+        <translation>球谐函数的幅值不是有限数。</translation>
+    </message>
+    <message>
+        <source>A spherical harmonic needs a degree of 1 to 16 and an order of 0 to its degree.</source>
+        <translation>球谐函数的阶数须为 1 到 16，级数须为 0 到该阶数。</translation>
+    </message>
+    <message>
+        <source>A number of the stator coil is not finite.</source>
+        <translation>定子线圈的一个数值不是有限数。</translation>
+    </message>
+    <message>
+        <source>A stator coil needs a positive radius, turns and an axis of length one.</source>
+        <translation>定子线圈需要正的半径、匝数和长度为 1 的轴向量。</translation>
+    </message>
+    <message>
+        <source>A field sensor setting is not a finite number.</source>
+        <translation>磁场传感器的一个设置不是有限数。</translation>
+    </message>
+    <message>
+        <source>A field sensor needs positive gains, noise of at least zero and a range of at least two steps of its converter.</source>
+        <translation>磁场传感器需要正的增益、不小于零的噪声，以及至少两个转换器步长的量程。</translation>
+    </message>
+    <message>
+        <source>The pose of a field sensor is not a finite number.</source>
+        <translation>磁场传感器的位姿不是有限数。</translation>
+    </message>
+    <message>
+        <source>A field sensor lies inside the rotor.</source>
+        <translation>一个磁场传感器位于转子内部。</translation>
+    </message>
+    <message>
+        <source>Place it outside the rotor&apos;s outer radius.</source>
+        <translation>请将其置于转子外半径之外。</translation>
+    </message>
+    <message>
+        <source>The three axes of a field sensor must be unit vectors that span the space.</source>
+        <translation>磁场传感器的三个轴必须是张成空间的单位向量。</translation>
+    </message>
+    <message>
+        <source>Two field sensors lie at the same place.</source>
+        <translation>两个磁场传感器位于同一位置。</translation>
+    </message>
+    <message>
+        <source>Each of the three sensors needs a place of its own.</source>
+        <translation>三个传感器各需一个不同的位置。</translation>
+    </message>
+    <message>
+        <source>settling: the speed that it approaches</source>
+        <translation>趋稳中：它所趋近的转速</translation>
+    </message>
+    <message>
+        <source>there are no more stretches of motion than unknowns: how much friction differs between them is assumed, 3.3 % of its torque, and not measured</source>
+        <translation>运动段数不多于未知数：各段之间摩擦的差异按其力矩的 3.3 % 假定，而非测得</translation>
+    </message>
+    <message>
+        <source>record more run-ups and coast-downs at different currents, in both directions</source>
+        <translation>以不同电流在两个方向上记录更多的加速和惯性减速</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
