@@ -82,10 +82,10 @@ XcpDevice::~XcpDevice() {
     if (m_expectsArmed && !m_link.lost()) {
         (void)disarm();
     }
-    if (m_formerWatchdog_ms && refreshState() && !m_state.isArmed) {
+    if (m_formerWatchdog_ms && (!refreshState() || !m_state.isArmed)) {
         (void)restoreWatchdog(); // of a board that was stopped, or never armed
     }
-    stopStream();
+    endStream();
     m_master.disconnect();
     m_link.transport().close();
 }

@@ -95,6 +95,7 @@ private:
     Result<void> waitFor(double duration_s);
     Result<void> checkWhileWaiting();
     void deliverBlocks();
+    void endStream() noexcept;
     Result<void> feedWatchdog();
     Result<void> checkHeartbeat();
     void remarkOnStream(const SamplingPlan& sampling, const DaqPlan& plan) const;
@@ -108,6 +109,7 @@ private:
     Result<void> writeLive(const std::string& name, double value);
     Result<void> setWatchdog();
     Result<void> restoreWatchdog();
+    Result<void> writeFormerWatchdog();
     void onEvent(std::uint8_t code);
     Error safetyError() const;
 

@@ -17,6 +17,7 @@ constexpr const char* WatchdogName = "hb.watchdog_ms";
 
 constexpr int StopTries = 3;
 constexpr double StopPeriod_s = 0.010;
+constexpr int RestoreTries = 3;
 constexpr double StatePatience_s = 0.5;
 constexpr double StatePoll_s = 0.002;
 
@@ -110,18 +111,34 @@ Result<void> XcpDevice::setWatchdog() {
 }
 
 /// The next master of a board that is not armed may say nothing for longer than we do. A value that was
-/// changed meanwhile is somebody's wish and stays.
+/// changed meanwhile is somebody's wish and stays. What could not be restored is tried again when the device
+/// is left.
 Result<void> XcpDevice::restoreWatchdog() {
-    const std::string name = WatchdogName;
-    const std::optional<double> former = std::exchange(m_formerWatchdog_ms, std::nullopt);
-    if (!former || m_link.lost()) {
+    if (!m_formerWatchdog_ms || m_link.lost()) {
         return {};
     }
+    Result<void> restored = writeFormerWatchdog();
+    for (int attempt = 1; attempt < RestoreTries && !restored && !m_link.lost(); ++attempt) {
+        restored = writeFormerWatchdog();
+    }
+    if (restored) {
+        m_formerWatchdog_ms.reset();
+    } else {
+        message(fmt::format("the board's {} may still be {} instead of {} ms, as before it was armed: {}",
+                            WatchdogName, 1000.0 * m_options.watchdog_s, *m_formerWatchdog_ms,
+                            restored.error().message));
+    }
+    return restored;
+}
+
+Result<void> XcpDevice::writeFormerWatchdog() {
+    const std::string name = WatchdogName;
     const Result<std::vector<double>> now = readParameters({&name, 1});
     if (!now) {
         return failure(now.error());
     }
-    return now->front() == m_options.watchdog_s * 1000.0 ? writeLive(name, *former) : Result<void>();
+    return now->front() == m_options.watchdog_s * 1000.0 ? writeLive(name, *m_formerWatchdog_ms)
+                                                         : Result<void>();
 }
 
 Result<void> XcpDevice::arm() {
