@@ -16,11 +16,11 @@ constexpr std::uint8_t Event = 0xFD;
 constexpr std::uint8_t SessionTerminated = 0x07;
 constexpr std::uint8_t NotAccessibleNow = 0x33; // ERR_RESOURCE_TEMPORARY_NOT_ACCESSIBLE
 
+} // namespace
+
 bool isStop(std::span<const std::uint8_t> packet) {
     return packet.size() >= 2 && packet[0] == UserCommand && packet[1] == Stop;
 }
-
-} // namespace
 
 bool beginsSession(std::span<const std::uint8_t> packet) {
     return packet.size() >= 2 && packet[0] == Connect && packet[1] == 0;

@@ -10,6 +10,9 @@ namespace halbench::devices {
 /// True for CONNECT: a whole frame that begins a session, or begins it anew (resources/help/protocol.md 3.5).
 bool beginsSession(std::span<const std::uint8_t> packet);
 
+/// True for the emergency stop (3.11).
+bool isStop(std::span<const std::uint8_t> packet);
+
 /// Which master a served board heeds. The first one that sent CONNECT holds the session until it ends it, the
 /// board ends it (its watchdog ran out) or the master leaves the line; one that was silent for a time loses
 /// it to the next that asks. Pure; no clock, no socket.

@@ -101,6 +101,10 @@ void TcpServer::read(Caller& caller, ServedBoard& board) {
 
 void TcpServer::takePacket(Caller& caller, ServedBoard& board, std::span<const std::uint8_t> packet) {
     using Ruling = SessionHolder::Ruling;
+    if (beginsSession(packet)) {
+        collectPackets(
+            board); // what the board said so far, the end of a session too, is of the master before
+    }
     const bool isHeld = m_session.isHeldBy(m_master);
     const Ruling ruling = m_session.judge(caller.name, packet, m_now_s);
     if (ruling == Ruling::Refused) {
@@ -110,10 +114,11 @@ void TcpServer::takePacket(Caller& caller, ServedBoard& board, std::span<const s
         return;
     }
     const bool isStrangers = ruling == Ruling::StrangersStop;
-    if (isStrangers || ruling == Ruling::Begins) {
-        collectPackets(board); // what the board said so far was for the master before
+    if (isStrangers) {
+        collectPackets(board); // what the board said so far is the master's
     }
     if (ruling == Ruling::Begins) {
+        discardPackets(board);
         beginSession(caller, isHeld);
     }
     board.receive(packet);
@@ -140,6 +145,13 @@ void TcpServer::collectPackets(ServedBoard& board, int unwantedAnswers) {
         if (listener != nullptr && !isUnwanted) { // what a board says while nobody listens is lost
             appendMessage(listener->outgoing, counter, m_packet);
         }
+    }
+}
+
+/// What a slow master before left in the board's queue is not the next one's.
+void TcpServer::discardPackets(ServedBoard& board) {
+    std::uint16_t counter = 0;
+    while (board.transmit(m_packet, counter)) {
     }
 }
 

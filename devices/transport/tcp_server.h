@@ -43,6 +43,7 @@ private:
     void takePacket(Caller& caller, ServedBoard& board, std::span<const std::uint8_t> packet);
     void beginSession(const Caller& caller, bool isTakenOver);
     void collectPackets(ServedBoard& board, int unwantedAnswers = 0);
+    void discardPackets(ServedBoard& board);
     void write(Caller& caller);
     void drop(Caller& caller);
     Caller* master();

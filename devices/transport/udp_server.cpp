@@ -66,8 +66,12 @@ void UdpServer::takeDatagram(ServedBoard& board, std::span<const std::uint8_t> d
 void UdpServer::takePacket(ServedBoard& board, const StreamMessage& message, const Peer& sender) {
     using Ruling = SessionHolder::Ruling;
     const std::string name = sender.text();
-    if (isStale(message, name)) {
+    const bool isLate = isStale(message, name);
+    if (isLate && !isStop(message.packet)) {
         return;
+    }
+    if (beginsSession(message.packet)) {
+        collectPackets(board); // the board may have ended the session of the master before
     }
     const Ruling ruling = m_session.judge(name, message.packet, m_now_s);
     if (ruling == Ruling::Refused) {
@@ -76,8 +80,9 @@ void UdpServer::takePacket(ServedBoard& board, const StreamMessage& message, con
     if (ruling == Ruling::Refused || ruling == Ruling::Ignored) {
         return;
     }
-    const bool isStrangers = ruling == Ruling::StrangersStop;
-    if (isStrangers || ruling == Ruling::Begins) {
+    // Nobody waits for the answer any more, or ever did: it would pass for that of another command.
+    const bool isUnanswered = isLate || ruling == Ruling::StrangersStop;
+    if (isUnanswered || ruling == Ruling::Begins) {
         collectPackets(board); // what the board said so far was for the master before
         sendDatagram();
     }
@@ -85,7 +90,7 @@ void UdpServer::takePacket(ServedBoard& board, const StreamMessage& message, con
         beginSession(message, sender);
     }
     board.receive(message.packet);
-    collectPackets(board, isStrangers ? 1 : 0);
+    collectPackets(board, isUnanswered ? 1 : 0);
 }
 
 bool UdpServer::isStale(const StreamMessage& message, const std::string& sender) {

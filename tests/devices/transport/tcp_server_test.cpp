@@ -145,6 +145,25 @@ TEST(TcpServer, connectionsThatStayOpenDoNotPileUpAndCostTheMasterNothing) {
     EXPECT_EQ(master.heard(), (std::vector<Octets>{echoed(Connect), echoed(Status)}));
 }
 
+TEST(TcpServer, rowsOfASlowMasterAreNotTheNextOnes) {
+    Port port;
+    Caller slow(port);
+    Caller next(port);
+    slow.send(Connect);
+    // It reads nothing: beyond what the socket and the server keep for it the rows wait in the board.
+    const Octets row(1000, 0x11);
+    do {
+        port.board.say(row);
+        port.exchange();
+    } while (port.board.hasSaidEverything());
+    port.board.say({0xFD, 0x07}); // its session is over
+    port.server.advanceTo(SessionHolder::Timeout_s + 0.1);
+    next.send(Connect);
+    EXPECT_EQ(next.heard(), std::vector<Octets>{echoed(Connect)});
+    next.send(Status);
+    EXPECT_EQ(next.heard(), std::vector<Octets>{echoed(Status)}) << "the end of the other session is not its";
+}
+
 TEST(TcpServer, saysWhetherOtherMachinesReachIt) {
     EXPECT_FALSE(TcpServer::listen({"127.0.0.1", 0})->isOpenToNetwork());
     EXPECT_FALSE(TcpServer::listen({"localhost", 0})->isOpenToNetwork());

@@ -211,6 +211,30 @@ TEST(UdpServer, doesNothingTwiceAndNothingLate) {
     EXPECT_EQ(board.received.size(), 5U);
 }
 
+TEST(UdpServer, aStopThatWasOvertakenOrComesTwiceStopsAndIsNotAnswered) {
+    UdpServer server = boundServer();
+    EchoBoard board;
+    UdpMaster master(server);
+    const auto send = [&](std::uint16_t counter, const Octets& packet) {
+        Octets datagram;
+        appendMessage(datagram, counter, packet);
+        master.send(datagram);
+        server.exchange(board);
+    };
+    send(10, Connect);
+    send(12, Status); // overtakes the stop
+    while (!master.receive().empty()) {
+    }
+    send(11, Stop);
+    EXPECT_EQ(board.received, (std::vector<Octets>{Connect, Status, Stop}));
+    EXPECT_TRUE(master.receive().empty()) << "it would pass for the answer to the command after it";
+    send(13, Stop);
+    EXPECT_FALSE(master.receive().empty()) << "in its turn it is answered";
+    send(13, Stop);
+    EXPECT_EQ(board.received.size(), 5U);
+    EXPECT_TRUE(master.receive().empty());
+}
+
 TEST(UdpServer, waitsNoLongerThanTold) {
     UdpServer server = boundServer();
     server.waitForTraffic(0);
