@@ -6662,6 +6662,10 @@
         <source>record more run-ups and coast-downs at different currents, in both directions</source>
         <translation>zeichnen Sie mehr Hoch- und Ausläufe mit verschiedenen Strömen auf, in beiden Richtungen</translation>
     </message>
+    <message>
+        <source>the board&apos;s {} may still be {} instead of {} ms, as before it was armed: {}</source>
+        <translation>der Wert {} des Boards ist vielleicht noch {} statt {} ms wie vor dem Scharfschalten: {}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -6662,6 +6662,10 @@
         <source>record more run-ups and coast-downs at different currents, in both directions</source>
         <translation>以不同电流在两个方向上记录更多的加速和惯性减速</translation>
     </message>
+    <message>
+        <source>the board&apos;s {} may still be {} instead of {} ms, as before it was armed: {}</source>
+        <translation>控制板的 {} 可能仍为 {} ms 而不是使能前的 {} ms：{}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

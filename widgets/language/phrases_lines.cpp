@@ -191,6 +191,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "find the cause, then clear the stop before arming again"),
     QT_TRANSLATE_NOOP("Phrases", "this board has no '{}' and cannot be armed from here"),
     QT_TRANSLATE_NOOP("Phrases", "use the maker's own program to arm it"),
+    QT_TRANSLATE_NOOP("Phrases", "the board's {} may still be {} instead of {} ms, as before it was armed: {}"),
     QT_TRANSLATE_NOOP("Phrases", "the board cannot be armed: {}"),
     QT_TRANSLATE_NOOP("Phrases", "find the cause, then clear the stop"),
     QT_TRANSLATE_NOOP("Phrases", "the board does not {}"),
