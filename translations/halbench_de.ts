@@ -6664,7 +6664,7 @@
     </message>
     <message>
         <source>the board&apos;s {} may still be {} instead of {} ms, as before it was armed: {}</source>
-        <translation>der Wert {} des Boards ist vielleicht noch {} statt {} ms wie vor dem Scharfschalten: {}</translation>
+        <translation>der Wert {} des Steuergeräts ist vielleicht noch {} statt {} ms wie vor der Freigabe: {}</translation>
     </message>
 </context>
 <context>
