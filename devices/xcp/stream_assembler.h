@@ -27,8 +27,6 @@ public:
     void feed(Octets packet, double arrival_s, std::uint64_t packetsLost = 0);
     /// True when enough rows wait for a block (10 ms of them, or a gap).
     bool isBlockDue() const;
-    /// No row follows: those that wait for the ones behind them are placed as they are.
-    void finish() { settle(true); }
     /// All complete rows as blocks, oldest first.
     std::vector<SampleBlockPtr> takeBlocks();
 

@@ -85,7 +85,7 @@ XcpDevice::~XcpDevice() {
     if (m_formerWatchdog_ms && (!refreshState() || !m_state.isArmed)) {
         (void)restoreWatchdog(); // of a board that was stopped, or never armed
     }
-    endStream();
+    stopStream();
     m_master.disconnect();
     m_link.transport().close();
 }

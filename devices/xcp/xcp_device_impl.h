@@ -95,7 +95,6 @@ private:
     Result<void> waitFor(double duration_s);
     Result<void> checkWhileWaiting();
     void deliverBlocks();
-    void endStream() noexcept;
     Result<void> feedWatchdog();
     Result<void> checkHeartbeat();
     void remarkOnStream(const SamplingPlan& sampling, const DaqPlan& plan) const;

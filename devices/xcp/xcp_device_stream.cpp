@@ -20,7 +20,7 @@ constexpr std::size_t OctetsBeforeValues = 8; ///< longest identification and ti
 } // namespace
 
 Result<void> XcpDevice::startStream(const StreamRequest& request, BlockSink sink) {
-    endStream();
+    stopStream();
     if (!m_ability) {
         return failure(ErrorCode::DeviceRefused, "this device cannot stream signals",
                        "read single values instead");
@@ -46,7 +46,7 @@ Result<void> XcpDevice::startStream(const StreamRequest& request, BlockSink sink
     m_stream->noteStart(m_streamStarted_s);
     Result<void> started = m_master.startList();
     if (!started) {
-        endStream();
+        stopStream();
     }
     return started;
 }
@@ -75,15 +75,6 @@ void XcpDevice::remarkOnStream(const SamplingPlan& sampling, const DaqPlan& plan
 }
 
 void XcpDevice::stopStream() noexcept {
-    if (m_stream) {
-        m_stream->finish();
-        deliverBlocks();
-    }
-    endStream();
-}
-
-/// Nothing is delivered any more.
-void XcpDevice::endStream() noexcept {
     if (!m_stream) {
         return;
     }

@@ -176,20 +176,6 @@ TEST(StreamAssembler, aClockThatStartsAgainMakesAGapAsLongAsTheHostsClockSays) {
     }
 }
 
-TEST(StreamAssembler, rowsInDoubtAreThereWhenTheStreamEnds) {
-    StreamAssembler stream = assemblerOf();
-    stream.noteStart(0.0);
-    const double late_s = 2.4 * Period_s; // three rows whose stamps may be late, or two rows are lost
-    for (std::uint32_t row = 0; row < 103; ++row) {
-        feedRow(stream, row, onTime(row) + (row >= 100 ? late_s : 0.0), onTime(row) + late_s);
-    }
-    EXPECT_EQ(taken(stream).rows(), 100U);
-    stream.finish();
-    const Recording rest = taken(stream);
-    ASSERT_EQ(rest.rows(), 3U);
-    EXPECT_EQ(rest.values[2], 102.0);
-}
-
 TEST(StreamAssembler, singleStampsThatAreSpoiledAreNoRestart) {
     StreamAssembler stream = assemblerOf();
     stream.noteStart(0.0);
