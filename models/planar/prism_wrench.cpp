@@ -7,7 +7,6 @@
 namespace halbench::models {
 namespace {
 
-using Eigen::Rotation2Dd;
 using Eigen::Vector2d;
 
 // S(k, l): integral of cos(k t) over -l/2 ... l/2.

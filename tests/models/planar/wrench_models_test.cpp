@@ -7,6 +7,7 @@
 #include "models/planar/wrench_map.h"
 #include "wrench_checks.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace halbench::models {
