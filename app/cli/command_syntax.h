@@ -14,7 +14,7 @@ CLI::App* addCommand(CLI::App& app, const char* name, const char* help);
 /// An option that names a recording to be written: .csv, and nothing stands there that is no file.
 CLI::Option* addRecordingOut(CLI::App* command, const char* name, std::string& path, const char* help);
 
-/// What works on recordings: convert, spectrum, plot, import, recordings, overlay.
+/// Commands that work on recordings: convert, spectrum, plot, import, recordings, overlay.
 void addRecordingCommands(CLI::App& app, CommandOptions& options);
 
 } // namespace halbench::app

@@ -23,7 +23,8 @@ const std::vector<std::string>& loopViews();
 /// Errors: Usage (no VIEW=FILE, an unknown view, a file of another format).
 Result<std::vector<LoopPicture>> loopPicturesOf(const std::vector<std::string>& options);
 
-/// What is drawn: a judged loop, the uncertainty of its motor when that is known, and others beside it.
+/// Content of the pictures: a judged loop, the uncertainty of its motor when that is known, other loops
+/// beside it.
 struct DrawnLoop {
     const TuneResult* result = nullptr;
     const MotorEstimate* motor = nullptr;

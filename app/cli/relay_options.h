@@ -11,7 +11,7 @@ Result<void> checkRelayOptions(const CommandOptions& options);
 /// Errors: Usage, NotFinite, naming the option; of the model's file. Ranges are the procedure's.
 Result<RelayConfig> relayConfigFrom(const CommandOptions& options);
 
-/// What it will do, said before anything moves.
+/// Plan of the experiment as text, before anything moves.
 std::string relayPlanText(const RelayPlan& plan);
 
 /// identify DEVICE --relay

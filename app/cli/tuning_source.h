@@ -12,7 +12,7 @@
 
 namespace halbench::app {
 
-/// What `tune` starts from: a model file, or a device that it identifies first and keeps open.
+/// Start of `tune`: a model file, or a device that it identifies first and keeps open.
 struct TuningSource {
     MotorEstimate estimate;
     ResultHeader header;

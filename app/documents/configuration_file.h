@@ -44,7 +44,7 @@ Result<Configuration> readConfiguration(const std::string& path);
 
 /// Keeps a copy as `<folder>/<id>/<time>.toml`, never over another one. Gives the path. Errors: FileSystem.
 Result<std::string> backUpConfiguration(const Configuration& configuration, const std::string& folder);
-/// Where those copies live.
+/// Folder of those copies.
 std::string backupFolder();
 
 } // namespace halbench::app

@@ -23,7 +23,7 @@ control::Estimate estimateOf(const JsonValue* value);
 DataQuality qualityOf(const JsonValue* value);
 /// {model, id, firmware, simulated, overrides}; nothing where there is none.
 std::optional<devices::DeviceInfo> deviceOf(const JsonValue* device);
-/// What every result begins with, with the overrides of a simulated device.
+/// Header of a result, with the overrides of a simulated device.
 ResultHeader headerOf(const JsonValue& root);
 
 } // namespace halbench::app

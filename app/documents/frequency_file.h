@@ -7,7 +7,7 @@
 
 namespace halbench::app {
 
-/// What another part of the program needs of RESPONSE.json (halbench.frequency/1).
+/// Measured plant and header of RESPONSE.json (halbench.frequency/1).
 struct FrequencyFile {
     ResultHeader header;
     MeasuredPlant plant;

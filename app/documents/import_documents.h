@@ -8,7 +8,7 @@
 
 namespace halbench::app {
 
-/// What makes an imported recording doubtful: units that are not known, steps of the time that differ, rows
+/// Data quality of an imported recording: units that are not known, steps of the time that differ, rows
 /// that are missing. `import` may be absent: before anything was read.
 DataQuality qualityOf(const devices::CsvPlan& plan, const devices::CsvImport* import);
 

@@ -8,7 +8,7 @@
 
 namespace halbench::app {
 
-/// Where a law comes from, for the head of its file.
+/// Origin of a law, for the head of its file.
 struct LawOrigin {
     std::string method; ///< empty: not said
     std::optional<devices::DeviceInfo> device;

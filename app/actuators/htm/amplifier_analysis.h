@@ -7,8 +7,8 @@
 
 namespace halbench::app {
 
-/// What figure 7 of the motor's publication shows: how the current follows the voltage from 1 Hz to 100 kHz
-/// (resources/help/htm-theory.md 3.2 and section 5).
+/// Frequency response of the amplifier from voltage to current, 1 Hz to 100 kHz, as in figure 7 of the
+/// publication (resources/help/htm-theory.md 3.2 and section 5).
 struct AmplifierAnalysis {
     double gain_A_per_V = 0.0;       ///< at 0 Hz
     double lagAt10Hz_deg = 0.0;      ///< positive: the current is behind

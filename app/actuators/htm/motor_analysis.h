@@ -19,7 +19,7 @@ struct ComputedFigure {
     std::string unit;
 };
 
-/// What the models say of a motor where its published description contradicts itself
+/// Figures of a motor that the models compute where its published description contradicts itself
 /// (resources/help/htm-theory.md section 6): nothing is measured and nothing is quoted.
 struct MotorAnalysis {
     std::string subject; ///< "torque", "sensing", "poles", "field", "coil"
