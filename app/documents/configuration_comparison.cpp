@@ -1,6 +1,7 @@
 #include "app/documents/configuration_comparison.h"
 
 #include "app/documents/result_header.h"
+#include "control/base/unit_conversion.h"
 
 #include <fmt/format.h>
 
@@ -21,15 +22,22 @@ Result<void> checkModel(const Configuration& file, const devices::DeviceInfo& de
                    "take a file of this model; nothing was written");
 }
 
-/// A unit that changed between two versions of a board would be a wrong number in the right place.
+/// A value as the device takes it: another unit would be a wrong number in the right place. Nothing where the
+/// unit is of another quantity.
+std::optional<double> inUnitOf(const ParameterSpec& spec, const ConfigurationValue& entry) {
+    const auto conversion = conversionBetween(entry.unit, spec.unit);
+    return conversion ? std::optional((*conversion)(entry.value)) : std::nullopt;
+}
+
 std::string reasonAgainst(const ParameterSpec& spec, const ConfigurationValue& entry) {
     if (!isSetting(spec)) {
         return "this device takes it as an order or does not let it be written";
     }
-    if (entry.unit != spec.unit) {
+    const std::optional<double> value = inUnitOf(spec, entry);
+    if (!value) {
         return fmt::format("the file has it in '{}', the device in '{}'", entry.unit, spec.unit);
     }
-    if (const Result<void> checked = checkParameterValue(spec, entry.value); !checked) {
+    if (const Result<void> checked = checkParameterValue(spec, *value); !checked) {
         return checked.error().message;
     }
     return {};
@@ -56,7 +64,7 @@ ComparedRow rowOf(const ParameterSpec& spec, const Configuration& file,
         row.device = value->second;
     }
     if (const auto entry = file.values.find(spec.name); entry != file.values.end()) {
-        row.file = entry->second.value;
+        row.file = inUnitOf(spec, entry->second).value_or(entry->second.value);
         row.isCalibration = row.isCalibration || entry->second.isCalibration;
         row.reason = reasonAgainst(spec, entry->second);
     }

@@ -264,7 +264,9 @@ std::optional<UnitConversion> toCelsius(const std::string& text) {
 }
 
 bool isSameDimension(Powers from, const Powers& to) {
-    const bool mayLeaveAngleOut = to[Kilogram] != 0 && (from[Radian] == 0 || to[Radian] == 0);
+    // "N*m" is per radian; "1/s^2" cannot be of anything but radians, "1/s" and "1/min" may be of turns.
+    const bool isOfAngle = to[Kilogram] != 0 || std::abs(to[Second]) >= 2;
+    const bool mayLeaveAngleOut = isOfAngle && (from[Radian] == 0 || to[Radian] == 0);
     from[Radian] = mayLeaveAngleOut ? to[Radian] : from[Radian];
     return from == to;
 }

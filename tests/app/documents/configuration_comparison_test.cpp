@@ -68,6 +68,19 @@ TEST(ConfigurationComparison, everyRowSaysWhatItIs) {
     EXPECT_EQ(proposedRows(comparison, true), std::vector<std::string>{"b.gain"});
 }
 
+TEST(ConfigurationComparison, aValueInAnotherUnitIsConverted) {
+    Configuration saved = file({{"b.gain", 2.0}, {"a.limit", 2500.0}, {"c.other", 1.0}});
+    saved.values["a.limit"].unit = "mA";
+    saved.values["c.other"].unit = "V";
+    const auto comparison = compared(saved, {{"b.gain", 1.0}, {"a.limit", 2.5}, {"c.other", 1.0}});
+    EXPECT_EQ(row(comparison, "a.limit").state, RowState::Same) << row(comparison, "a.limit").reason;
+    EXPECT_EQ(row(comparison, "a.limit").file, 2.5);
+    EXPECT_EQ(row(comparison, "a.limit").unit, "A");
+    EXPECT_EQ(row(comparison, "c.other").state, RowState::Refused);
+    saved.values["a.limit"].value = 11000.0;
+    EXPECT_EQ(row(compared(saved, {{"a.limit", 2.5}}), "a.limit").state, RowState::Refused) << "above 10 A";
+}
+
 TEST(ConfigurationComparison, calibrationStaysWithItsDeviceUnlessAskedFor) {
     const Values device = {{"b.gain", 1.0}, {"hall.offset", 0.0}};
     const Configuration saved = file({{"b.gain", 2.0}, {"hall.offset", 1.0}});
@@ -90,12 +103,12 @@ TEST(ConfigurationComparison, whatTheFileCallsCalibrationIsOne) {
     EXPECT_TRUE(proposedRows(compared(saved, {{"b.gain", 1.0}}), false).empty());
 }
 
-TEST(ConfigurationComparison, anotherUnitIsNeverTakenAsANumber) {
+TEST(ConfigurationComparison, aUnitOfAnotherQuantityIsNeverTakenAsANumber) {
     Configuration saved = file({{"b.gain", 2.0}});
-    saved.values["b.gain"].unit = "mA";
+    saved.values["b.gain"].unit = "V";
     const auto comparison = compared(saved, {{"b.gain", 2.0}});
     EXPECT_EQ(row(comparison, "b.gain").state, RowState::Refused);
-    EXPECT_NE(row(comparison, "b.gain").reason.find("mA"), std::string::npos);
+    EXPECT_NE(row(comparison, "b.gain").reason.find("V"), std::string::npos);
 }
 
 TEST(ConfigurationComparison, aFileOfAnotherModelIsRefusedWhole) {

@@ -46,6 +46,21 @@ TEST(UnitConversionTest, signalsComeInEveryUsualUnit) {
     expectConverted(212.0, "degF", 100.0, "degC");
 }
 
+// A radian is 1 by definition; turns per time squared are written by nobody as 1/s^2.
+TEST(UnitConversionTest, accelerationsMayLeaveTheRadianOut) {
+    for (const char* text : {"1/(A*s^2)", "s^-2/A", "1/s^2/A", "1/s2/A", "A^-1*s^-2"}) {
+        expectConverted(26.0, text, 26.0, "rad/s^2/A");
+    }
+    expectConverted(26.0, "1/s^2", 26.0, "rad/s^2");
+    expectConverted(26.0, "1/(mA*s^2)", 26000.0, "rad/s^2/A");
+    expectConverted(2.0, "A*s^2", 2.0, "A*s^2/rad");
+    expectConverted(1.0, "Hz/s", 2.0 * Pi, "rad/s^2"); // a frequency that changes
+    EXPECT_FALSE(conversionBetween("1/min", "rad/s"));
+    EXPECT_FALSE(conversionBetween("Hz", "1/s")) << "turns are no decay";
+    EXPECT_FALSE(conversionBetween("A*s", "A*s/rad"));
+    EXPECT_FALSE(conversionBetween("1/(A*s)", "rad/s^2/A"));
+}
+
 TEST(UnitConversionTest, anotherQuantityIsNotConverted) {
     EXPECT_FALSE(conversionBetween("A", "A/rad"));
     EXPECT_FALSE(conversionBetween("1/s", "rad/s"));
