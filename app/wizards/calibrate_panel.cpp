@@ -2,6 +2,7 @@
 
 #include "app/documents/result_documents.h"
 #include "app/figures/calibration_figures.h"
+#include "app/procedures/base/procedure_steps.h"
 #include "app/tuning/loop_conditions.h"
 #include "app/wizards/calibrate_words.h"
 #include "app/wizards/identify_words.h"
@@ -240,13 +241,8 @@ void CalibratePanel::start() {
     const bool hasStarted = runProcedure(
         tr("Calibrate"),
         [config = config(), live = m_live](devices::Device& device, const ProcedureObserver& session) {
-            ProcedureObserver observer = session;
-            observer.onBlock = [&session, &live](const SampleBlockPtr& block) {
-                live->take(*block);
-                if (session.onBlock) {
-                    session.onBlock(block);
-                }
-            };
+            const ProcedureObserver observer =
+                listeningIn(session, [live](const SampleBlock& block) { live->take(block); });
             return runCalibrate(device, config, observer);
         },
         [this, connection = m_connection, header = headerOf("halbench.calibration/1", config().seed)](

@@ -2,6 +2,7 @@
 
 #include "app/documents/identification_file.h"
 #include "app/documents/result_documents.h"
+#include "app/procedures/base/procedure_steps.h"
 #include "app/wizards/identify_form.h"
 #include "app/wizards/identify_result_view.h"
 #include "app/wizards/identify_words.h"
@@ -193,13 +194,8 @@ void IdentifyPanel::start() {
     const bool hasStarted = runProcedure(
         tr("Identify"),
         [config = *config, live = m_live](devices::Device& device, const ProcedureObserver& session) {
-            ProcedureObserver observer = session;
-            observer.onBlock = [&session, &live](const SampleBlockPtr& block) {
-                live->take(*block);
-                if (session.onBlock) {
-                    session.onBlock(block);
-                }
-            };
+            const ProcedureObserver observer =
+                listeningIn(session, [live](const SampleBlock& block) { live->take(block); });
             return runIdentify(device, config, observer);
         },
         [this, header = headerOf("halbench.identification/1", config->seed)](

@@ -1,5 +1,6 @@
 #include "app/procedures/apply/band_watch.h"
 
+#include "app/procedures/base/procedure_steps.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -41,13 +42,7 @@ BandWatch::BandWatch(const ProcedureObserver& observer, MotionBand band)
     : m_observer(observer), m_check(std::move(band)) {}
 
 ProcedureObserver BandWatch::observer() {
-    ProcedureObserver watching = m_observer;
-    watching.onBlock = [this](const SampleBlockPtr& block) {
-        take(*block);
-        if (m_observer.onBlock) {
-            m_observer.onBlock(block);
-        }
-    };
+    ProcedureObserver watching = listeningIn(m_observer, [this](const SampleBlock& block) { take(block); });
     watching.checkAbort = [this]() -> Result<void> {
         if (m_hasLeft) {
             return failure(departure());

@@ -1,3 +1,4 @@
+#include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/calibrate/calibrate_runs.h"
 #include "app/procedures/excite/excitation_limits.h"
 #include "app/procedures/excite/spin_recording.h"
@@ -104,13 +105,8 @@ Result<PilotEstimate> firstMotion(devices::Device& device, const CalibrateConfig
     IdentifyConfig pilot;
     pilot.speedLimit_rad_s = config.speedLimit_rad_s;
     PilotMotion motion(device, observer, pilot);
-    ProcedureObserver listening = observer;
-    listening.onBlock = [&](const SampleBlockPtr& block) {
-        motion.take(*block);
-        if (observer.onBlock) {
-            observer.onBlock(block);
-        }
-    };
+    const ProcedureObserver listening =
+        listeningIn(observer, [&](const SampleBlock& block) { motion.take(block); });
     StreamRecorder recorder(device, listening);
     recorder.guardBy(excitationLimits(device.catalogue(), config.speedLimit_rad_s));
     if (auto started =

@@ -63,14 +63,7 @@ private:
 };
 
 ProcedureObserver watched(const ProcedureObserver& observer, TravelWatch& watch) {
-    ProcedureObserver listening = observer;
-    listening.onBlock = [&](const SampleBlockPtr& block) {
-        watch.take(*block);
-        if (observer.onBlock) {
-            observer.onBlock(block);
-        }
-    };
-    return listening;
+    return listeningIn(observer, [&watch](const SampleBlock& block) { watch.take(block); });
 }
 
 // Short pushes, so that the next measurement stands at another angle: each twice as long as the one before,

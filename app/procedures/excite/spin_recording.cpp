@@ -1,5 +1,6 @@
 #include "app/procedures/excite/spin_recording.h"
 
+#include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/excite/excitation_limits.h"
 
 namespace halbench::app {
@@ -8,13 +9,8 @@ Result<Recording> recordSpin(devices::Device& device, const ProcedureObserver& o
                              std::span<const PlateauRun> runs, double speedLimit_rad_s,
                              const std::vector<std::string>& signals) {
     SpeedWatch watch("speed");
-    ProcedureObserver listening = observer;
-    listening.onBlock = [&](const SampleBlockPtr& block) {
-        watch.take(*block);
-        if (observer.onBlock) {
-            observer.onBlock(block);
-        }
-    };
+    const ProcedureObserver listening =
+        listeningIn(observer, [&watch](const SampleBlock& block) { watch.take(block); });
     StreamRecorder recorder(device, listening);
     recorder.guardBy(excitationLimits(device.catalogue(), speedLimit_rad_s));
     if (auto started = recorder.start(withWatchedSignals(device.catalogue(), signals), 100.0); !started) {

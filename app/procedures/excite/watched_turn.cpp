@@ -1,6 +1,7 @@
 #include "app/procedures/excite/watched_turn.h"
 
 #include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/excite/excitation_limits.h"
 
 #include <fmt/format.h>
@@ -53,12 +54,7 @@ Result<void> TurnWatch::check() const {
 WatchedTurn::WatchedTurn(devices::Device& device, const ProcedureObserver& observer, TurnLimits limits)
     : m_device(device), m_outer(observer), m_observer(observer), m_watch(std::move(limits)),
       m_recorder(device, m_observer) {
-    m_observer.onBlock = [this](const SampleBlockPtr& block) {
-        m_watch.take(*block);
-        if (m_outer.onBlock) {
-            m_outer.onBlock(block);
-        }
-    };
+    m_observer = listeningIn(m_outer, [this](const SampleBlock& block) { m_watch.take(block); });
     m_observer.checkAbort = [this]() -> Result<void> {
         const Result<void> goOn = m_outer.checkAbort ? m_outer.checkAbort() : Result<void>();
         const Result<void> isSound = goOn ? m_recorder.check() : goOn;
@@ -77,7 +73,13 @@ Result<Recording> WatchedTurn::record(double speedLimit_rad_s, double period_s,
     if (auto done = move(); !done) {
         return failure(m_recorder.causeOf(done.error()));
     }
-    return m_recorder.finish();
+    const std::size_t rows = m_recorder.rows(); // behind them the motor is disarmed, the reference is gone
+    Result<Recording> recording = m_recorder.finish();
+    if (recording && recording->rows() > rows) {
+        recording->time_s.resize(rows);
+        recording->values.resize(rows * recording->layout->columns.size());
+    }
+    return recording;
 }
 
 Result<void> startGenerator(devices::Device& device, const MoveReference& reference, double duration_s) {

@@ -178,7 +178,7 @@ void judgeStretches(IdentifyResult& result, const IdentifyFits& fits) {
 // millisecond that a small processor takes and an amplifier five times as slow as the published one. An angle
 // kappa I of a stray field that is not compensated adds kappa I tau omega, of either sign, and takes (kappa
 // I)^2/2 of the torque constant at any speed.
-void judgeLoss(IdentifyResult& result, const IdentifyFits& fits) {
+void judgeTorqueLoss(IdentifyResult& result, const IdentifyFits& fits) {
     if (!fits.motion || !fits.motion->isTorqueLossFitted) {
         return;
     }
@@ -419,7 +419,7 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
     }
     takeAsymmetry(result, fits);
     judgeStretches(result, fits);
-    judgeLoss(result, fits);
+    judgeTorqueLoss(result, fits);
     judgeModel(result, fits);
     judgeAgreement(result, fits);
     judgeGiven(result, joint, config);

@@ -134,8 +134,8 @@ constexpr LossWords DampingWords{"damping_below_zero", "a damping below zero cam
                                  "damping cannot be told from zero: it is at most {:.2g} % of the torque",
                                  "damping is undecided: between zero and {:.2g} % of the largest torque"};
 
-void judgeLoss(IdentifyResult& result, const std::optional<Share>& share,
-               const std::vector<Estimate*>& estimates, const LossWords& words) {
+void judgeFriction(IdentifyResult& result, const std::optional<Share>& share,
+                   const std::vector<Estimate*>& estimates, const LossWords& words) {
     if (!share || share->low > 0.0) {
         return;
     }
@@ -195,11 +195,11 @@ bool judgeColumns(IdentifyResult& result, const IdentifyFits& fits) {
         return false;
     }
     if (fits.wrap_rad) {
-        remark(
-            result, Verdict::Good,
-            {"angle_wraps",
-             fmt::format("the angle wraps after {:.4g} deg: it was continued", *fits.wrap_rad * 180.0 / Pi),
-             "nothing is lost as long as the rotor turns less than half of that between two rows"});
+        remark(result, Verdict::Good,
+               {"angle_wraps",
+                fmt::format("the angle wraps after {:.4g} deg: it was continued",
+                            radiansToDegrees(*fits.wrap_rad)),
+                "nothing is lost as long as the rotor turns less than half of that between two rows"});
     }
     if (2 * fits.againstPlateaus > fits.points.size()) {
         refuseSign(result, "the rotor turns against its current");
@@ -215,13 +215,13 @@ void judgePhysics(IdentifyResult& result, const IdentifyFits& fits) {
     const TorqueScale scale = scaleOf(fits);
     const auto friction = shareOf(result.ratios["Kf_over_J"], scale.overInertia_rad_s2,
                                   result.ratios["Kf_over_phi"], scale.overTorque_A);
-    judgeLoss(result, friction, estimatesOf(result, result.coulombFriction, {"Kf_over_J", "Kf_over_phi"}),
-              FrictionWords);
+    judgeFriction(result, friction, estimatesOf(result, result.coulombFriction, {"Kf_over_J", "Kf_over_phi"}),
+                  FrictionWords);
     const double perSpeed = scale.speed_rad_s > 0.0 ? 1.0 / scale.speed_rad_s : 0.0;
     const auto damping = shareOf(result.ratios["c_over_J"], perSpeed * scale.overInertia_rad_s2,
                                  result.ratios["c_over_phi"], perSpeed * scale.overTorque_A);
-    judgeLoss(result, damping, estimatesOf(result, result.viscousDamping, {"c_over_J", "c_over_phi"}),
-              DampingWords);
+    judgeFriction(result, damping, estimatesOf(result, result.viscousDamping, {"c_over_J", "c_over_phi"}),
+                  DampingWords);
 }
 
 } // namespace halbench::app

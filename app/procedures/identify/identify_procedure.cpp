@@ -1,6 +1,7 @@
 #include "app/procedures/identify/identify_procedure.h"
 
 #include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
 #include "app/procedures/base/row_loss.h"
 #include "app/procedures/excite/excitation_limits.h"
@@ -56,16 +57,12 @@ public:
     Excitation(devices::Device& device, const IdentifyConfig& config, const ProcedureObserver& observer)
         : m_device(device), m_config(config), m_outer(observer),
           m_watch("speed"), m_heat{config.pauseTemperature_degC, config.refuseTemperature_degC} {
-        m_observer = observer;
-        m_observer.onBlock = [this](const SampleBlockPtr& block) {
-            m_watch.take(*block);
+        m_observer = listeningIn(observer, [this](const SampleBlock& block) {
+            m_watch.take(block);
             if (m_pilot) {
-                m_pilot->take(*block);
+                m_pilot->take(block);
             }
-            if (m_outer.onBlock) {
-                m_outer.onBlock(block);
-            }
-        };
+        });
     }
 
     /// Everything from the pilot to the last coast-down; gives the recording.
