@@ -251,12 +251,12 @@ Result<RecordResult> runRecord(devices::Device& device, const RecordConfig& conf
     }
     const std::vector<std::string> signals = recordedSignals(device.catalogue(), config);
     StreamRecorder recorder(device, observer, [&](const SampleBlock& block) { return recorded.take(block); });
-    if (outlet != nullptr) { // a disk that is slow to begin holds up the stream before it runs, and no row
-        done = outlet->begin(layoutOf(device.catalogue(), signals, config.rate_Hz));
+    done = enterState(observer, ProcedureState::Record);
+    if (done && outlet != nullptr) { // a disk that is slow to begin holds up the stream before it runs, and
+        done = outlet->begin(layoutOf(device.catalogue(), signals, config.rate_Hz)); // no row
     }
     const devices::LinkStatistics before = device.statistics();
     done = done ? recorder.start(signals, config.rate_Hz) : done;
-    done = done ? enterState(observer, ProcedureState::Record) : done;
     done = done ? recorded.collectAll(device, observer, recorder) : done;
     if (!done) {
         return failure(done.error());

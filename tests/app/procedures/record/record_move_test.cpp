@@ -73,6 +73,27 @@ TEST(Record, aDiskThatIsSlowToBeginCostsNoRow) {
     }
 }
 
+TEST(Record, noFileIsBegunBeforeTheRecordingIsAllowed) {
+    const auto device = openMotor("");
+    ProcedureState last = ProcedureState::Prepare;
+    ProcedureObserver observer;
+    observer.onState = [&last](ProcedureState state) { last = state; };
+    observer.checkAbort = [&last]() -> Result<void> {
+        return last == ProcedureState::Record ? failure(ErrorCode::Interrupted, "ended by the user", "")
+                                              : Result<void>();
+    };
+    bool hasBegun = false;
+    const RecordOutlet outlet{[&](const StreamLayout&) -> Result<void> {
+                                  hasBegun = true;
+                                  return {};
+                              },
+                              [](const SampleBlock&) { return Result<void>(); }};
+    const auto result = runRecord(*device, {}, observer, &outlet);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Interrupted);
+    EXPECT_FALSE(hasBegun);
+}
+
 TEST(Record, endsSoonWithTheErrorOfItsOutlet) {
     const auto device = openMotor("");
     RecordConfig config;
