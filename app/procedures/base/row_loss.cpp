@@ -4,10 +4,19 @@
 
 namespace halbench::app {
 
+namespace {
+
+/// A device that was lost and came back counts anew.
+double counted(std::uint64_t before, std::uint64_t after) {
+    return static_cast<double>(after >= before ? after - before : after);
+}
+
+} // namespace
+
 RowLossCause causeOfRowLoss(const devices::LinkStatistics& before, const devices::LinkStatistics& after) {
-    const auto received = static_cast<double>(after.packetsReceived - before.packetsReceived);
-    const auto lost = static_cast<double>(after.packetsLost - before.packetsLost);
-    const auto damaged = static_cast<double>(after.packetsDamaged - before.packetsDamaged);
+    const double received = counted(before.packetsReceived, after.packetsReceived);
+    const double lost = counted(before.packetsLost, after.packetsLost);
+    const double damaged = counted(before.packetsDamaged, after.packetsDamaged);
     if (damaged > 0.0) { // what is damaged is missing in the counter too
         return {fmt::format("the line damaged {:.2g} % of the frames", 1e2 * damaged / (received + damaged)),
                 "shorten or shield the cable, or lower the baud rate"};
@@ -21,6 +30,12 @@ RowLossCause causeOfRowLoss(const devices::LinkStatistics& before, const devices
         return {"no packet was lost or damaged: the board left rows out or sent them late", ""};
     }
     return {};
+}
+
+Error withCause(Error error, const RowLossCause& cause) {
+    error.message += cause.words.empty() ? "" : ": " + cause.words;
+    error.hint = cause.remedy.empty() ? error.hint : cause.remedy;
+    return error;
 }
 
 void nameRowLoss(DataQuality& quality, const RowLossCause& cause) {

@@ -14,6 +14,8 @@ struct RowLossCause {
 };
 RowLossCause causeOfRowLoss(const devices::LinkStatistics& before, const devices::LinkStatistics& after);
 
+/// An error because of rows that were lost, with their cause and what helps against that first.
+Error withCause(Error error, const RowLossCause& cause);
 /// Names the cause in the findings of rows that were lost ("rows_lost").
 void nameRowLoss(DataQuality& quality, const RowLossCause& cause);
 

@@ -40,9 +40,11 @@ Result<void> checkRows(const FrequencyRun& run, double at_Hz, std::size_t first,
     const double expected_s = static_cast<double>(rows - 1) * run.margins.period_s;
     if (first + rows > time_s.size() ||
         std::abs(time_s[first + rows - 1] - time_s[first] - expected_s) > 0.5 * run.margins.period_s) {
-        return failure(ErrorCode::Refused,
+        return failure(
+            withCause({ErrorCode::Refused,
                        fmt::format("rows are missing near {} Hz: the periods do not fit together", at_Hz),
-                       "measure again");
+                       "measure again"},
+                      run.rowLoss));
     }
     return {};
 }
@@ -117,6 +119,23 @@ FrequencyResultPoint judged(const control::PlantPoint& measured, const Frequency
     return point;
 }
 
+constexpr double Negligible_ratio = 1e-3; // of the torque: far below what a current is known to
+constexpr double Notable_ratio = 0.05;    // an interval wider than this says little of damping
+
+/// The lower the frequency, the more of the torque is damping.
+double lowestOf(const std::vector<control::PlantPoint>& points) {
+    double lowest_rad_s = points.empty() ? 1.0 : points.front().frequency_rad_s;
+    for (const control::PlantPoint& point : points) {
+        lowest_rad_s = std::min(lowest_rad_s, point.frequency_rad_s);
+    }
+    return lowest_rad_s;
+}
+
+bool isClearlyNegative(const control::Estimate& damping_per_s, double lowest_rad_s) {
+    return damping_per_s.interval95 && damping_per_s.interval95->second < 0.0 &&
+           *damping_per_s.value < -Negligible_ratio * lowest_rad_s;
+}
+
 std::optional<control::FrequencyFit> fitOf(const std::vector<control::PlantPoint>& points,
                                            const FrequencyRun& run) {
     std::vector<control::PlantPoint> used;
@@ -124,9 +143,10 @@ std::optional<control::FrequencyFit> fitOf(const std::vector<control::PlantPoint
                  [&run](const control::PlantPoint& point) { return isCoherent(point, run.config); });
     auto fit = control::fitHeldRotor(used, run.margins.period_s, run.config.actuatorLag_s,
                                      run.config.gainError_ratio);
-    if (fit && fit->dampingRate.interval95 && fit->dampingRate.interval95->second > 0.0) {
+    if (fit && fit->dampingRate.interval95 && !isClearlyNegative(fit->dampingRate, lowestOf(points))) {
         // No rotor has less than no damping: what the points cannot tell from zero begins there.
         auto& [low, high] = *fit->dampingRate.interval95;
+        high = std::max({high, -*fit->dampingRate.value, 0.0});
         low = std::max(low, 0.0);
         fit->dampingRate.value = std::max(*fit->dampingRate.value, 0.0);
     }
@@ -134,7 +154,7 @@ std::optional<control::FrequencyFit> fitOf(const std::vector<control::PlantPoint
 }
 
 // What physics excludes: a rotor that its current drives backwards, or that speeds itself up.
-void judgeRotor(DataQuality& quality, const control::FrequencyFit& fit) {
+void judgeRotor(DataQuality& quality, const control::FrequencyFit& fit, double lowest_rad_s) {
     const auto gain95 = fit.accelerationGain.interval95;
     const auto damping95 = fit.dampingRate.interval95;
     if (!(*fit.accelerationGain.value > 0.0)) {
@@ -149,10 +169,22 @@ void judgeRotor(DataQuality& quality, const control::FrequencyFit& fit) {
         quality.findings.push_back({"interval_reaches_zero", "the interval of phi/J reaches zero",
                                     "measure more periods or with a larger amplitude"});
     }
-    if (damping95 && damping95->second < 0.0) {
+    if (!damping95 || damping95->first > 0.0) {
+        return;
+    }
+    const double most_ratio = damping95->second / lowest_rad_s;
+    if (isClearlyNegative(fit.dampingRate, lowest_rad_s)) {
         quality.verdict = Verdict::Refused;
         quality.findings.push_back({"damping_below_zero", "a damping below zero came out, which no motor has",
                                     "check the delay of the loop, and that nothing else drives the rotor"});
+    } else if (most_ratio > Notable_ratio) {
+        quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
+        quality.findings.push_back(
+            {"damping_below_zero",
+             fmt::format(
+                 "damping is undecided: between zero and {:.2g} % of the torque at the lowest frequency",
+                 100.0 * most_ratio),
+             "measure from a lower frequency, more periods or with a larger amplitude"});
     }
 }
 
@@ -315,7 +347,11 @@ DataQuality judgeFrequency(const FrequencyResult& result) {
                                     "measure more frequencies, from 0.5 Hz or lower"});
     }
     if (result.fit) {
-        judgeRotor(quality, *result.fit);
+        std::vector<control::PlantPoint> points;
+        for (const FrequencyResultPoint& point : result.points) {
+            points.push_back(point.measured);
+        }
+        judgeRotor(quality, *result.fit, lowestOf(points));
     }
     constexpr double NotableMisfit_ratio = 2.0;
     if (result.fit && result.fit->misfit_ratio > NotableMisfit_ratio) {

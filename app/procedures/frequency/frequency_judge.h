@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/procedures/base/row_loss.h"
 #include "app/procedures/frequency/frequency_plan.h"
 
 namespace halbench::app {
@@ -19,6 +20,7 @@ struct FrequencyRun {
     std::optional<StrayField> stray;
     std::vector<MeasuredStage> stages;
     Recording recording;
+    RowLossCause rowLoss = {}; ///< why rows are missing in it, if any are
 };
 
 /// Plant, loops, margins and rotor of it; a pure function. Errors: Refused (rows missing), NotFinite.

@@ -138,9 +138,11 @@ Result<FrequencyResult> measure(devices::Device& device, FrequencyRun run, const
     if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
         return failure(entered.error());
     }
+    const devices::LinkStatistics before = device.statistics();
     if (auto driven = FrequencyExcitation(device, observer, plan, run).drive(); !driven) {
         return failure(driven.error());
     }
+    run.rowLoss = causeOfRowLoss(before, device.statistics());
     if (auto entered = enterState(observer, ProcedureState::Fit); !entered) {
         return failure(entered.error());
     }

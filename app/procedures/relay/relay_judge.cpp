@@ -22,8 +22,9 @@ Result<void> checkRows(const RelayRun& run) {
     const double expected_s = static_cast<double>(run.endRow - run.firstRow - 1) * run.period_s;
     if (!isThere ||
         std::abs(time_s[run.endRow - 1] - time_s[run.firstRow] - expected_s) > 0.5 * run.period_s) {
-        return failure(ErrorCode::Refused, "rows are missing: the cycles do not fit together",
-                       "measure again");
+        return failure(withCause(
+            {ErrorCode::Refused, "rows are missing: the cycles do not fit together", "measure again"},
+            run.rowLoss));
     }
     return {};
 }

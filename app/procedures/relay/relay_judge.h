@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/procedures/base/row_loss.h"
 #include "app/procedures/relay/relay_procedure.h"
 
 namespace halbench::app {
@@ -13,6 +14,7 @@ struct RelayRun {
     std::size_t firstRow = 0; ///< of the recording, that is measured
     std::size_t endRow = 0;   ///< behind the last one: the motor is disarmed after it
     Recording recording;
+    RowLossCause rowLoss = {}; ///< why rows are missing in it, if any are
 };
 
 /// Cycle, ultimate gain and verdict; a pure function. Errors: Refused (rows missing, it did not swing),

@@ -143,9 +143,11 @@ Result<RelayResult> measure(devices::Device& device, RelayRun run, const Procedu
     if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
         return failure(entered.error());
     }
+    const devices::LinkStatistics before = device.statistics();
     if (auto driven = RelayMotion(device, observer, run).drive(speedWindow_rad_s); !driven) {
         return failure(driven.error());
     }
+    run.rowLoss = causeOfRowLoss(before, device.statistics());
     if (auto entered = enterState(observer, ProcedureState::Fit); !entered) {
         return failure(entered.error());
     }

@@ -23,6 +23,22 @@ TEST(RowLoss, itsCauseIsWhatTheLinkCountedMeanwhile) {
     EXPECT_EQ(causeOfRowLoss(before, before).words, "") << "a recording that is replayed has no link";
 }
 
+TEST(RowLoss, aLinkThatCameBackMeanwhileCountsAnew) {
+    EXPECT_EQ(causeOfRowLoss(counted(1000, 50, 7), counted(98, 2, 2)).words,
+              "the line damaged 2 % of the frames");
+    EXPECT_EQ(causeOfRowLoss(counted(1000, 50, 7), counted(90, 10, 0)).words,
+              "10 % of the packets were lost and none was damaged: a queue was full");
+}
+
+TEST(RowLoss, isNamedInAnErrorWithItsRemedy) {
+    const Error torn{ErrorCode::Refused, "rows are missing", "measure again"};
+    const Error named = withCause(torn, {"the line damaged 2 % of the frames", "shorten the cable"});
+    EXPECT_EQ(named.message, "rows are missing: the line damaged 2 % of the frames");
+    EXPECT_EQ(named.hint, "shorten the cable");
+    EXPECT_EQ(withCause(torn, {"no packet was lost", ""}).hint, "measure again");
+    EXPECT_EQ(withCause(torn, {}).message, torn.message);
+}
+
 TEST(RowLoss, isNamedInItsFindingAlone) {
     DataQuality quality;
     quality.findings = {{"rows_lost", "3 of 100 rows are missing", ""}, {"noisy", "noisy", "wait"}};
