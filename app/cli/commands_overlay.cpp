@@ -121,12 +121,13 @@ struct Overlay {
 
 JsonValue runJson(const Overlay& overlay, std::size_t run) {
     const ComparedRun& compared = overlay.runs[run];
+    const std::vector<std::string> columns = devices::csvColumnNames(*overlay.recording.layout);
     JsonValue signals = JsonValue::array();
     for (std::size_t signal = 0; signal < overlay.signals(); ++signal) {
         const StreamLayout::Column& column = overlay.column(run, signal);
         JsonValue entry = JsonValue::object();
         entry.set("name", compared.recording.layout->columns[signal].name).set("unit", column.unit);
-        entry.set("column", devices::csvColumnName(column.name, column.unit));
+        entry.set("column", columns[run * overlay.signals() + signal]);
         signals.push(entry.set("difference",
                                run == 0 ? JsonValue() : differenceJson(overlay.difference(run, signal))));
     }

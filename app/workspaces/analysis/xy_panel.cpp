@@ -107,11 +107,10 @@ void XyPanel::compute() {
         [x = xStretch, y = yStretch, xName = m_x->signal(), yName = m_y->signal(),
          isFitted = m_ellipse->isChecked(), xFactor = shown(*m_x).factor, yFactor = shown(*m_y).factor] {
             const auto all = std::make_shared<const SignalPair>(pairUp(x, y));
-            Answer answer{thinned(*all, xFactor, yFactor),
-                          all,
-                          devices::csvColumnName(xName, x.unit),
-                          devices::csvColumnName(yName, y.unit),
-                          {}};
+            StreamLayout layout;
+            layout.columns = {{xName, x.unit}, {yName, y.unit}};
+            const std::vector<std::string> columns = devices::csvColumnNames(layout);
+            Answer answer{thinned(*all, xFactor, yFactor), all, columns[0], columns[1], {}};
             if (isFitted) {
                 answer.fit = control::fitHallEllipse(all->x, all->y);
             }
