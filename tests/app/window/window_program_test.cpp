@@ -3,6 +3,7 @@
 #include "app/workbench/drive_control.h"
 #include "app/workspaces/device/device_panel.h"
 #include "app/workspaces/device/notes_panel.h"
+#include "devices/open/open_device.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/message_bar.h"
 
@@ -94,6 +95,47 @@ TEST_F(WindowProgramTest, aSignalStopsDisarmsAndCloses) {
     received = SIGHUP;
     ASSERT_TRUE(wait([&] { return !window->isVisible(); }));
     EXPECT_EQ(session().state(), SessionState::Disconnected);
+}
+
+/// The board itself tells that it was stopped: a window that only went away leaves it to its watchdog, or to
+/// the next CONNECT, which disarms without a word.
+TEST_F(WindowProgramTest, aSignalStopsTheMotorThatMoves) {
+    for (const int signal : {SIGTERM, SIGHUP}) {
+        QProcess board;
+        board.start(HALBENCH_PROGRAM, {"serve", "sim:htm", "--pty"});
+        ASSERT_TRUE(board.waitForReadyRead(Patience_ms));
+        const QString node = QString::fromUtf8(board.readLine()).trimmed().section("pty:", 1);
+        const std::string address = "serial:" + node.toStdString();
+        openWith({"--connect", address});
+        ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+        DriveControl& drive = window->bench().drive();
+        drive.setMode(devices::BoardMode::Current);
+        drive.giveConsent(); // a board on a line is not known to be simulated
+        ASSERT_TRUE(wait([&] { return drive.canArm(); }));
+        drive.arm();
+        ASSERT_TRUE(wait([&] { return drive.canMove(); }));
+        drive.setSetpoint(1.0, 0.0);
+        ASSERT_TRUE(wait([&] {
+            const auto current_A = window->bench().history().latest("current_command");
+            return current_A && current_A->value > 0.5;
+        })) << "the motor is driven";
+        std::atomic<int> received{0};
+        closeBySignal(*window, received);
+        received = signal;
+        ASSERT_TRUE(wait([&] { return !window->isVisible(); }));
+        window.reset();
+        const auto device = devices::openDevice(address, {});
+        ASSERT_TRUE(device) << device.error().message;
+        const std::vector<std::string> names = {"status", "current_command", "current.a", "current.b"};
+        const auto values = (*device)->readSignals(names);
+        ASSERT_TRUE(values) << values.error().message;
+        EXPECT_EQ((*values)[0], 2.0) << "stopped by command; idle and 3, by the watchdog, are too late";
+        EXPECT_EQ((*values)[1], 0.0);
+        // of a coil with 0.1 ms the current is gone; what is left is the noise of its sensor
+        EXPECT_NEAR((*values)[2], 0.0, 0.05);
+        EXPECT_NEAR((*values)[3], 0.0, 0.05);
+        end(board);
+    }
 }
 
 TEST_F(WindowProgramTest, aModalDialogDoesNotHoldASignalUp) {
