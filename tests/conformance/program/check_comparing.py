@@ -223,6 +223,22 @@ class Overlays(Comparing):
         self.assertEqual(second["signals"][1]["difference"]["rms"], 0)
         self.assertEqual(second["signals"][0]["column"], "two_position_rad")
 
+    def test_signals_whose_names_meet_have_a_column_each_as_the_file_names_it(self):
+        for run in ("one", "two"):
+            self.write(f"{run}.csv", "time_s,a_b,a_b_2\n" + "".join(f"{row / 100},{row},{-row}\n" for row in range(50)))
+            with open(self.path(f"{run}.csv"), "rb") as file:
+                checksum = hashlib.sha256(file.read()).hexdigest()
+            self.write(f"{run}.meta.json", json.dumps({
+                "schema": "halbench.recording-meta/1", "sha256": checksum, "halbench": "0", "device": {}, "rows": 50,
+                "started": "2026-03-01T10:00:00Z", "period_s": 0.01, "signals": [
+                    {"name": "a.b", "column": "a_b", "unit": "", "role": ""},
+                    {"name": "a_b", "column": "a_b_2", "unit": "", "role": ""}]}))
+        told = self.overlay("one.csv", "two.csv", "--signals", "a.b,a_b")
+        header, _ = self.rows()
+        columns = [signal["column"] for run in told["runs"] for signal in run["signals"]]
+        self.assertEqual(columns, header[1:])
+        self.assertEqual(len(set(columns)), 4)
+
     def test_runs_begin_at_their_marker_and_empty_fields_are_where_nothing_was_recorded(self):
         self.record("one", lambda t: t, markers=[(0.2, "knock"), (0.4, "knock")])
         self.record("two", lambda t: t, start_s=5.0, markers=[(5.5, "knock")])

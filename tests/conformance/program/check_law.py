@@ -1,6 +1,6 @@
 """halbench tune and analyse --code, analyse --poles and --compare: what leaves the program for another controller or another tool.
 
-    python3 check_law.py build/release/halbench [Laws[.case]]
+    python3 check_law.py build/release/halbench [Laws|Delays[.case]]
 
 The law's second route is the equation of resources/help/htm-theory.md 8.4, written out below in Python; that of a law with weights and
 filters the equation of resources/help/tuning.md, "Shaped loops", each filter by Tustin's substitution in direct form I.
@@ -290,6 +290,65 @@ class Laws(ProgramCase):
     def test_a_file_that_cannot_be_written_is_named(self):
         os.mkdir(self.path("law.c"))
         self.refuse(2, r"law\.c: cannot write", "tune", "sim:htm?seed=3", "--code", "law.c", timeout=110)
+
+
+class Delays(ProgramCase):
+    """A model knows the delay it was measured with, so that what is promised for it holds on that board."""
+    # resources/help/htm-theory.md 9: the motor that is simulated
+    DAMPING, INERTIA, TORQUE, PERIOD_S = 1.23e-3, 5.5e-4, 1.43e-2, 0.01
+
+    def phase_margin_deg(self, gains, delay_samples):
+        """Of u = Kp e + Ki Ts/(z - 1) e - Kd (1 - 1/z)/Ts psi before the motor and a hold, where |L| is 1 first."""
+        a, t = self.DAMPING / self.INERTIA, self.PERIOD_S
+        kp, ki, kd = (gains[name]["value"] for name in ("kp", "ki", "kd"))
+
+        def loop(w):
+            z = cmath.exp(1j * w * t)
+            # hold of phi/J / (s (s + a)): the residues at 0, 0 and -a
+            e = math.exp(-a * t)
+            plant = self.TORQUE / self.INERTIA * (t / (a * (z - 1)) - (1 - e) / (a * a * (z - e)))
+            return (kp + ki * t / (z - 1) + kd * (1 - 1 / z) / t) * plant / z ** delay_samples
+        low, high = 1.0, 0.99 * math.pi / t
+        for step in range(20000):      # the first crossing, then halving
+            w = low + (high - low) * step / 20000
+            if abs(loop(w)) < 1:
+                below, above = w - (high - low) / 20000, w
+                break
+        for _ in range(60):
+            middle = (below + above) / 2
+            below, above = (middle, above) if abs(loop(middle)) > 1 else (below, middle)
+        return math.degrees(cmath.phase(loop(above)) % (2 * math.pi) - math.pi)
+
+    def tuned(self, device):
+        self.accept("identify", device, "--given", f"J={self.INERTIA}", "--out", "model.json", "--force")
+        return self.accept("tune", "model.json", "--method", "recommended", "--json").json()
+
+    def test_promised_margin_is_that_of_a_board_with_the_delay_of_the_model(self):
+        for delay_samples in (0, 1):
+            told = self.tuned(f"sim:htm?seed=7&delay_samples={delay_samples}")
+            promised = told["predicted"]["margins"]["phase_margin_deg"]
+            # c and phi come out to 1 %; the phase of the loop turns by less than half a degree with that
+            self.assertAlmostEqual(promised, self.phase_margin_deg(told["gains"], delay_samples), delta=0.5)
+        gains = self.tuned("sim:htm?seed=7")["gains"]
+        self.assertAlmostEqual(self.phase_margin_deg(gains, 0), 37.9, delta=0.5)
+        self.assertAlmostEqual(self.phase_margin_deg(gains, 1), 11.7, delta=0.5)
+
+    def test_gains_are_judged_with_the_delay_of_the_model(self):
+        self.accept("identify", "sim:htm?seed=7", "--given", f"J={self.INERTIA}", "--out", "model.json")
+        self.accept("tune", "model.json", "--method", "recommended", "--out", "gains.json")
+        self.accept("identify", "sim:htm?seed=7&delay_samples=1", "--given", f"J={self.INERTIA}", "--out", "late.json")
+        judged = self.accept("analyse", "late.json", "gains.json", "--json").json()
+        with open(self.path("gains.json"), encoding="utf-8") as file:
+            gains = json.load(file)["gains"]
+        self.assertAlmostEqual(judged["margins"]["phase_margin_deg"], self.phase_margin_deg(gains, 1), delta=0.5)
+
+    def test_model_of_another_delay_is_applied_to_no_device(self):
+        for model, device in ((1, 0), (0, 1)):
+            self.accept("identify", f"sim:htm?seed=7&delay_samples={model}", "--given", f"J={self.INERTIA}", "--out",
+                        f"model{model}.json")
+            refused = self.run_program("tune", f"model{model}.json", "--apply", f"sim:htm?seed=7&delay_samples={device}")
+            self.assertEqual(refused.code, 1, refused)
+            self.assertIn(f"{model} samples of delay, this device has 0.01 s and {device}", refused.err, refused)
 
 
 if __name__ == "__main__":
