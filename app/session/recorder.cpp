@@ -177,6 +177,7 @@ std::vector<SampleBlock> Recorder::keptRows(const SampleBlock& block) {
             parts.emplace_back();
             parts.back().layout = m_layout;
             parts.back().lostRows = missing;
+            parts.back().isBreak = block.isBreak && row == 0;
         }
         m_first_s = m_first_s ? m_first_s : time_s;
         m_last_s = time_s;

@@ -29,6 +29,7 @@ struct SampleBlock {
     std::vector<double> values;
     double hostArrival_s = 0.0; ///< host clock of the last packet
     std::uint64_t lostRows = 0; ///< rows known to be lost directly before this block
+    bool isBreak = false; ///< the device's clock started again before it: how long that took is not known
 
     std::size_t rows() const { return time_s.size(); }
     double value(std::size_t row, std::size_t column) const {

@@ -63,7 +63,7 @@ void SampleHistory::append(const SampleBlock& block) {
     if (isRestart) {
         stream.offset_s = offsetFor(block, stream.period_s);
     }
-    addRows(stream, block, isRestart || block.lostRows > 0);
+    addRows(stream, block, isRestart || block.lostRows > 0 || block.isBreak);
     m_hostArrival_s = block.hostArrival_s;
     keepBudget();
     ++m_revision;

@@ -56,7 +56,7 @@ Result<EdgeTrigger> EdgeTrigger::create(TriggerConfig config) {
 std::vector<TriggerEvent> EdgeTrigger::take(const SampleBlock& block) {
     std::vector<TriggerEvent> events;
     const int column = block.layout->indexOf(m_config.source);
-    m_hasGap = m_hasGap || block.lostRows > 0 || column < 0;
+    m_hasGap = m_hasGap || block.lostRows > 0 || block.isBreak || column < 0;
     if (column < 0) {
         return events;
     }

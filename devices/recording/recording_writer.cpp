@@ -214,7 +214,7 @@ Result<void> RecordingWriter::append(const SampleBlock& block) {
     if (Result<void> written = put(m_text); !written) {
         return written;
     }
-    if (block.lostRows != 0 && block.rows() != 0) {
+    if ((block.lostRows != 0 || block.isBreak) && block.rows() != 0) {
         m_meta.gaps.push_back({block.time_s.front(), block.lostRows});
     }
     m_meta.rows += block.rows();

@@ -74,6 +74,8 @@ void StreamAssembler::addRow(double clock_s, double arrival_s) {
     // ahead of a gap tells nothing, its stamp may be wrong.
     if (m_lastTime_s && time_s - *m_lastTime_s < NextRow_ratio * m_plan.boardPeriod_s) {
         m_origin_s = std::min(*m_origin_s, arrival_s - time_s);
+        m_earliest_s = std::min(m_earliest_s, arrival_s - time_s);
+        m_latest_s = std::max(m_latest_s, arrival_s - time_s);
     }
     takeRow({time_s, arrival_s, m_decoder.row()}, m_isLossSure);
 }
@@ -94,8 +96,14 @@ void StreamAssembler::addStray(double time_s, double arrival_s) {
 void StreamAssembler::restartClock() {
     settle(true);
     const double period_s = m_plan.boardPeriod_s;
-    const double pause_s = m_strays.front().arrival_s - m_lastRowArrival_s;
-    const double missing = std::max(1.0, std::round(pause_s / period_s) - 1.0);
+    double arrival_s = m_strays.front().arrival_s;
+    for (const StoredRow& stray : m_strays) {
+        arrival_s = std::min(arrival_s, stray.arrival_s - (stray.time_s - m_strays.front().time_s));
+    }
+    // Rows that were read late for other reasons, many at one moment, are no gap.
+    const double pause_s = arrival_s - m_lastRowArrival_s - std::max(0.0, m_latest_s - m_earliest_s);
+    const double missing = std::max(0.0, std::round(pause_s / period_s) - 1.0);
+    m_isBreak = true;
     const double shift_s = *m_lastTime_s + (missing + 1.0) * period_s - m_strays.front().time_s;
     m_clockShift_s += shift_s;
     m_misplaced -= m_strays.size();
@@ -147,13 +155,14 @@ void StreamAssembler::placeRow(const Row& row, std::uint64_t missing) {
 }
 
 void StreamAssembler::storeRow(const Row& row) {
-    if (m_lostBefore != 0) {
+    if (m_lostBefore != 0 || m_isBreak) {
         closeBlock();
     }
     if (!m_open) {
         m_open = std::make_shared<SampleBlock>();
         m_open->layout = m_plan.layout;
         m_open->lostRows = std::exchange(m_lostBefore, 0);
+        m_open->isBreak = std::exchange(m_isBreak, false);
     }
     m_open->time_s.push_back(row.time_s);
     m_open->values.insert(m_open->values.end(), row.values.begin(), row.values.end());

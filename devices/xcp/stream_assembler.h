@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,8 +15,9 @@ namespace halbench::devices::xcp {
 
 /// Makes SampleBlocks of the packets of one stream: time axis from the device's clock alone (3.9), lost rows
 /// by what the transport counted and by the rows that lie between the stamps (RowGrid), single rows whose
-/// time steps back or far ahead dropped. A clock that goes on from elsewhere has started again: a gap as long
-/// as the host's clock says, at least one row, stands there.
+/// time steps back or far ahead dropped. A clock that goes on from elsewhere has started again: a break is
+/// marked there, with a gap as long as the host's clock says, as far as it is longer than rows were late
+/// anyway.
 class StreamAssembler {
 public:
     StreamAssembler(SamplingPlan plan, const DaqAbility& ability, DtoDecoder decoder);
@@ -70,11 +72,14 @@ private:
     std::size_t m_lookAhead;
     std::int64_t m_nextIndex = 0;     ///< board samples since the first
     std::optional<double> m_origin_s; ///< host's time of device time 0, as late as it can be
+    double m_earliest_s = std::numeric_limits<double>::infinity(); ///< arrival less time, least of the rows
+    double m_latest_s = -std::numeric_limits<double>::infinity();  ///< and largest
     double m_lastArrival_s = 0.0;
     std::optional<double> m_lastTime_s; ///< of the last row that was taken
     double m_lastRowArrival_s = 0.0;
     double m_clockShift_s = 0.0; ///< from the board's clock, which may have started again, to the axis
     std::uint64_t m_clockRestarts = 0;
+    bool m_isBreak = false;                     ///< and no block tells of it yet
     std::optional<std::uint64_t> m_packetsLost; ///< of the transport, at the last row
     bool m_isLossSure = false;                  ///< the transport missed packets before this row
     std::deque<StoredRow> m_waiting; ///< the first may be late or behind a loss: the next rows tell

@@ -74,6 +74,7 @@ public:
         m_rows += wanted.rows();
         m_lostRows += wanted.lostRows;
         m_gaps += wanted.lostRows > 0 ? 1 : 0;
+        m_isBroken = m_isBroken || wanted.isBreak;
         if (m_outlet != nullptr) {
             return m_outlet->append(wanted);
         }
@@ -81,6 +82,7 @@ public:
         return {};
     }
 
+    bool isBroken() const { return m_isBroken; }
     RecordResult result() {
         return {std::move(m_recording),
                 m_rows,
@@ -99,6 +101,7 @@ private:
     std::size_t m_rows = 0;
     std::uint64_t m_lostRows = 0;
     std::uint64_t m_gaps = 0;
+    bool m_isBroken = false; ///< the board's clock started again
 };
 
 /// What the stream's blocks will look like.
@@ -216,6 +219,13 @@ public:
             return failure(quality.error());
         }
         result.quality = *std::move(quality);
+        if (m_taker.isBroken()) {
+            result.quality.verdict = Verdict::Doubtful;
+            result.quality.findings.push_back(
+                {"clock_restarted",
+                 "the board's clock started again: how much time lies before that row is not known",
+                 "look whether the board was reset; the recording has a gap there"});
+        }
         result.trigger_s = m_triggered ? std::optional(m_triggered->trigger_s()) : std::nullopt;
         return result;
     }
