@@ -54,11 +54,10 @@ ResultHeader headerFor(const CommandContext& context, const std::string& schema,
     ResultHeader header = headerFor(context, schema);
     header.device = device.info();
     header.seed = seedOf(context, device.info());
-    if (!device.info().otherFirmware.empty()) {
-        addQuality(header.quality, {Verdict::Doubtful, {otherFirmware(device.info())}});
-    }
     if (const auto recording = devices::recordingOf(device)) {
         noteWarnings(header.quality, recording->warnings);
+    } else if (!device.info().otherFirmware.empty()) {
+        addQuality(header.quality, {Verdict::Doubtful, {otherFirmware(device.info())}});
     }
     if (!device.info().isSimulated || context.global.isRealtime) {
         header.started = context.wallClock();

@@ -7,6 +7,20 @@
 
 namespace halbench::app {
 
+namespace {
+
+Finding findingOf(const std::string& warning) {
+    if (devices::isFirmwareWarning(warning)) {
+        return {"other_firmware", warning, devices::OtherFirmwareHint};
+    }
+    return devices::isUnitWarning(warning)
+               ? Finding{"unit_assumed", warning, "write the unit behind the column's name: position_rad"}
+               : Finding{ChangedRecordingCode, warning,
+                         "compare it with a copy of it; it may lack rows or have others"};
+}
+
+} // namespace
+
 void sayWarnings(const CommandContext& context, const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) {
         context.console.log(LogLevel::Warning, warning);
@@ -16,11 +30,7 @@ void sayWarnings(const CommandContext& context, const std::vector<std::string>& 
 void noteWarnings(DataQuality& quality, const std::vector<std::string>& warnings) {
     for (const std::string& warning : warnings) {
         quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
-        quality.findings.push_back(
-            devices::isUnitWarning(warning)
-                ? Finding{"unit_assumed", warning, "write the unit behind the column's name: position_rad"}
-                : Finding{ChangedRecordingCode, warning,
-                          "compare it with a copy of it; it may lack rows or have others"});
+        quality.findings.push_back(findingOf(warning));
     }
 }
 

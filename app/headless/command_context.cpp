@@ -29,12 +29,11 @@ Finding otherFirmware(const devices::DeviceInfo& device) {
 Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context,
                                                        const std::string& uri) {
     Result<std::unique_ptr<devices::Device>> device = devices::openDevice(uri, openOptionsFor(context));
-    if (device && !(*device)->info().otherFirmware.empty()) {
-        const Finding finding = otherFirmware((*device)->info());
-        context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
-    }
     if (const auto recording = device ? devices::recordingOf(**device) : nullptr) {
         sayWarnings(context, recording->warnings);
+    } else if (device && !(*device)->info().otherFirmware.empty()) {
+        const Finding finding = otherFirmware((*device)->info());
+        context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
     }
     return device;
 }

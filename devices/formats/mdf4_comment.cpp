@@ -107,12 +107,14 @@ double numberOf(const std::string& text) {
 }
 
 void takeHeaderProperty(const Property& property, RecordingMeta& meta) {
-    const std::pair<const char*, std::string*> texts[] = {{"device.model", &meta.device.model},
-                                                          {"device.id", &meta.device.id},
-                                                          {"device.firmware", &meta.device.firmware},
-                                                          {"software", &meta.software},
-                                                          {"notes", &meta.notes},
-                                                          {"started", &meta.started}};
+    const std::pair<const char*, std::string*> texts[] = {
+        {"device.model", &meta.device.model},
+        {"device.id", &meta.device.id},
+        {"device.firmware", &meta.device.firmware},
+        {"device.description_firmware", &meta.device.otherFirmware},
+        {"software", &meta.software},
+        {"notes", &meta.notes},
+        {"started", &meta.started}};
     if (property.tree == "parameters") {
         meta.parameters.push_back({property.name, numberOf(property.text), property.unit});
     } else if (property.tree == "overrides") {
@@ -141,6 +143,9 @@ std::string headerComment(const RecordingMeta& meta) {
     comment.property("device.model", meta.device.model);
     comment.property("device.id", meta.device.id);
     comment.property("device.firmware", meta.device.firmware);
+    if (!meta.device.otherFirmware.empty()) {
+        comment.property("device.description_firmware", meta.device.otherFirmware);
+    }
     comment.property("device.simulated", meta.device.isSimulated ? "true" : "false");
     comment.property("software", meta.software);
     comment.property("started", meta.started);

@@ -160,6 +160,9 @@ std::vector<bool> nameColumns(RecordedFile& file) {
 
 Result<RecordedFile> inSi(RecordedFile file, const std::vector<bool>& isNoted, const std::string& path) {
     const Result<void> converted = convertToSi(file, isNoted, path);
+    if (!file.meta.device.otherFirmware.empty()) {
+        file.warnings.push_back(otherFirmwareWarning(file.meta.device));
+    }
     return converted ? Result<RecordedFile>(std::move(file)) : failure(converted.error());
 }
 

@@ -15,6 +15,7 @@ namespace halbench::devices {
 namespace {
 
 constexpr const char* Schema = "halbench.recording-meta/1";
+constexpr std::string_view FirmwareWarning = "the board ran firmware '";
 
 QString textOf(const std::string& text) {
     return QString::fromStdString(text);
@@ -42,11 +43,23 @@ QJsonObject deviceJson(const DeviceInfo& device) {
     for (const auto& [key, value] : device.overrides) {
         overrides.insert(textOf(key), textOf(value));
     }
-    return {{"model", textOf(device.model)},
-            {"id", textOf(device.id)},
-            {"firmware", textOf(device.firmware)},
-            {"simulated", device.isSimulated},
-            {"overrides", overrides}};
+    QJsonObject object{{"model", textOf(device.model)},
+                       {"id", textOf(device.id)},
+                       {"firmware", textOf(device.firmware)},
+                       {"simulated", device.isSimulated},
+                       {"overrides", overrides}};
+    if (!device.otherFirmware.empty()) {
+        object.insert("description_firmware", textOf(device.otherFirmware));
+    }
+    return object;
+}
+
+/// As results have it: what is read by a description of another firmware may be anything.
+QJsonObject qualityJson(const DeviceInfo& device) {
+    const QJsonObject finding{{"code", "other_firmware"},
+                              {"message", textOf(otherFirmwareWarning(device))},
+                              {"hint", OtherFirmwareHint}};
+    return {{"verdict", "doubtful"}, {"findings", QJsonArray{finding}}};
 }
 
 DeviceInfo deviceOf(const QJsonObject& object) {
@@ -54,6 +67,7 @@ DeviceInfo deviceOf(const QJsonObject& object) {
     device.model = stringOf(object, "model");
     device.id = stringOf(object, "id");
     device.firmware = stringOf(object, "firmware");
+    device.otherFirmware = stringOf(object, "description_firmware");
     device.isSimulated = object.value(QLatin1String("simulated")).toBool();
     const QJsonObject overrides = object.value(QLatin1String("overrides")).toObject();
     for (auto entry = overrides.begin(); entry != overrides.end(); ++entry) {
@@ -113,6 +127,16 @@ void takeOptional(const QJsonObject& root, RecordingMeta& meta) {
 }
 
 } // namespace
+
+std::string otherFirmwareWarning(const DeviceInfo& device) {
+    return fmt::format(
+        "the board ran firmware '{}', but its description was of '{}': names may have led to wrong values",
+        device.firmware, device.otherFirmware);
+}
+
+bool isFirmwareWarning(const std::string& warning) {
+    return warning.starts_with(FirmwareWarning);
+}
 
 std::vector<RecordingMeta::ParameterNote> parameterNotes(Device& device) {
     std::vector<RecordingMeta::ParameterNote> notes;
@@ -198,6 +222,9 @@ std::string toMetaJson(const RecordingMeta& meta) {
              return QJsonObject{{"time_s", gap.time_s}, {"lost_rows", countOf(gap.lostRows)}};
          })}};
     addOptional(meta, root);
+    if (!meta.device.otherFirmware.empty()) {
+        root.insert("data_quality", qualityJson(meta.device));
+    }
     return QJsonDocument(root).toJson(QJsonDocument::Indented).toStdString();
 }
 

@@ -54,6 +54,13 @@ struct RecordingMeta {
     std::string sha256; ///< of the CSV file
 };
 
+/// What is to be said of a recording whose device had a description of another firmware
+/// (DeviceInfo::otherFirmware).
+std::string otherFirmwareWarning(const DeviceInfo& device);
+inline constexpr const char* OtherFirmwareHint = "record it again with the description of this firmware";
+/// What a warning of the reader is about.
+bool isFirmwareWarning(const std::string& warning);
+
 /// All parameters as they are now; none when the device is lost.
 std::vector<RecordingMeta::ParameterNote> parameterNotes(Device& device);
 

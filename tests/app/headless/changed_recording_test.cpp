@@ -33,6 +33,17 @@ TEST(ChangedRecording, aUnitThatIsAssumedHasACodeOfItsOwn) {
     EXPECT_EQ(quality.verdict, Verdict::Doubtful);
 }
 
+TEST(ChangedRecording, aDescriptionOfAnotherFirmwareHasACodeOfItsOwn) {
+    devices::DeviceInfo device;
+    device.firmware = "1.1";
+    device.otherFirmware = "1.0";
+    DataQuality quality;
+    noteWarnings(quality, {devices::otherFirmwareWarning(device)});
+    ASSERT_EQ(quality.findings.size(), 1U);
+    EXPECT_EQ(quality.findings[0].code, "other_firmware");
+    EXPECT_EQ(quality.verdict, Verdict::Doubtful);
+}
+
 TEST(ChangedRecording, theWorseVerdictHoldsAndAllFindingsStay) {
     DataQuality known;
     noteWarnings(known, {"changed"});

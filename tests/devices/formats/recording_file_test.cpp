@@ -74,6 +74,34 @@ TEST_F(RecordingFileTest, sidecarHoldsTheSha256OfTheData) {
               std::string::npos);
 }
 
+TEST_F(RecordingFileTest, namesByADescriptionOfAnotherFirmwareAreDoubtedInTheFileAndByItsReaders) {
+    const Recording recording = ramp(20);
+    for (const char* other : {"", "1.0"}) {
+        RecordingMeta meta = metaOf(recording);
+        meta.device.firmware = "1.1";
+        meta.device.otherFirmware = other;
+        ASSERT_TRUE(writeRecordingFile(path("run.csv"), recording, meta));
+        ConvertRequest request;
+        request.input = path("run.csv");
+        request.output = path(other + std::string("run.mf4"));
+        ASSERT_TRUE(convertRecording(request));
+        for (const std::string& file : {request.input, request.output}) {
+            const auto back = readRecordingFile(file);
+            ASSERT_TRUE(back) << back.error().message;
+            EXPECT_EQ(back->meta.device.otherFirmware, other) << file;
+            const auto told = std::count_if(back->warnings.begin(), back->warnings.end(), isFirmwareWarning);
+            EXPECT_EQ(told, *other == '\0' ? 0 : 1) << file;
+        }
+    }
+    RecordingMeta meta = metaOf(recording);
+    meta.device.otherFirmware = "1.0";
+    const std::string text = toMetaJson(meta);
+    EXPECT_NE(text.find("\"verdict\": \"doubtful\""), std::string::npos) << text;
+    EXPECT_NE(text.find("its description was of '1.0'"), std::string::npos) << text;
+    meta.device.otherFirmware.clear();
+    EXPECT_EQ(toMetaJson(meta).find("data_quality"), std::string::npos);
+}
+
 TEST_F(RecordingFileTest, changedDataAreReadWithAWarning) {
     const Recording recording = ramp(3);
     ASSERT_TRUE(writeRecordingFile(path("run.csv"), recording, metaOf(recording)));
