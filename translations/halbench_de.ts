@@ -3923,6 +3923,54 @@
         <translation>dieses Gerät hat es nicht</translation>
     </message>
     <message>
+        <source>{}.unit&quot; is &quot;{}&quot;, which is no unit of a value in &quot;{}&quot;</source>
+        <translation>{}.unit&quot; ist &quot;{}&quot;, was keine Einheit eines Werts in &quot;{}&quot; ist</translation>
+    </message>
+    <message>
+        <source>it is a ratio: leave its unit empty</source>
+        <translation>es ist ein Verhältnis: die Einheit leer lassen</translation>
+    </message>
+    <message>
+        <source>write the value in {} or a unit of the same quantity</source>
+        <translation>den Wert in {} oder einer Einheit derselben Größe angeben</translation>
+    </message>
+    <message>
+        <source>{}.unit&quot; must be a text</source>
+        <translation>{}.unit&quot; muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>write &quot;{}&quot;</source>
+        <translation>&quot;{}&quot; schreiben</translation>
+    </message>
+    <message>
+        <source>the board&apos;s {} may still be {} instead of {} ms, as before it was armed: {}</source>
+        <translation>{} der Platine ist vielleicht noch {} statt {} ms wie vor dem Scharfschalten: {}</translation>
+    </message>
+    <message>
+        <source>damping is undecided: between zero and {} % of the torque at the lowest frequency</source>
+        <translation>die Dämpfung ist unbestimmt: zwischen null und {} % des Drehmoments bei der tiefsten Frequenz</translation>
+    </message>
+    <message>
+        <source>measure from a lower frequency, more periods or with a larger amplitude</source>
+        <translation>ab einer tieferen Frequenz, mehr Perioden oder mit größerer Amplitude messen</translation>
+    </message>
+    <message>
+        <source>the board&apos;s clock started again: how much time lies before that row is not known</source>
+        <translation>die Uhr der Platine begann neu: wie viel Zeit vor dieser Zeile liegt, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>look whether the board was reset; the recording has a gap there</source>
+        <translation>prüfen, ob die Platine zurückgesetzt wurde; die Aufzeichnung hat dort eine Lücke</translation>
+    </message>
+    <message>
+        <source>the board ran firmware &apos;{}&apos;, but its description was of &apos;{}&apos;: names may have led to wrong values</source>
+        <translation>die Platine lief mit Firmware „{}“, ihre Beschreibung war von „{}“: Namen können zu falschen Werten geführt haben</translation>
+    </message>
+    <message>
+        <source>record it again with the description of this firmware</source>
+        <translation>mit der Beschreibung dieser Firmware neu aufzeichnen</translation>
+    </message>
+    <message>
         <source>the configuration was read from the device &apos;{}&apos;, this one is &apos;{}&apos;</source>
         <translation>die Konfiguration stammt vom Gerät „{}“, dieses ist „{}“</translation>
     </message>

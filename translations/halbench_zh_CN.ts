@@ -3923,6 +3923,54 @@
         <translation>此设备没有该项</translation>
     </message>
     <message>
+        <source>{}.unit&quot; is &quot;{}&quot;, which is no unit of a value in &quot;{}&quot;</source>
+        <translation>{}.unit&quot; 是 &quot;{}&quot;，它不是以 &quot;{}&quot; 计的值的单位</translation>
+    </message>
+    <message>
+        <source>it is a ratio: leave its unit empty</source>
+        <translation>这是一个比值：单位留空</translation>
+    </message>
+    <message>
+        <source>write the value in {} or a unit of the same quantity</source>
+        <translation>请用 {} 或同一物理量的单位给出该值</translation>
+    </message>
+    <message>
+        <source>{}.unit&quot; must be a text</source>
+        <translation>{}.unit&quot; 必须是文本</translation>
+    </message>
+    <message>
+        <source>write &quot;{}&quot;</source>
+        <translation>请写 &quot;{}&quot;</translation>
+    </message>
+    <message>
+        <source>the board&apos;s {} may still be {} instead of {} ms, as before it was armed: {}</source>
+        <translation>电路板的 {} 可能仍为 {}，而不是启用前的 {} ms：{}</translation>
+    </message>
+    <message>
+        <source>damping is undecided: between zero and {} % of the torque at the lowest frequency</source>
+        <translation>阻尼无法确定：在最低频率处介于零与转矩的 {} % 之间</translation>
+    </message>
+    <message>
+        <source>measure from a lower frequency, more periods or with a larger amplitude</source>
+        <translation>请从更低的频率开始测量，或增加周期数或幅值</translation>
+    </message>
+    <message>
+        <source>the board&apos;s clock started again: how much time lies before that row is not known</source>
+        <translation>电路板的时钟重新开始：该行之前经过了多少时间不得而知</translation>
+    </message>
+    <message>
+        <source>look whether the board was reset; the recording has a gap there</source>
+        <translation>请检查电路板是否被复位；记录在该处有间断</translation>
+    </message>
+    <message>
+        <source>the board ran firmware &apos;{}&apos;, but its description was of &apos;{}&apos;: names may have led to wrong values</source>
+        <translation>电路板运行固件“{}”，但其描述文件属于“{}”：名称可能指向了错误的值</translation>
+    </message>
+    <message>
+        <source>record it again with the description of this firmware</source>
+        <translation>请用该固件的描述文件重新记录</translation>
+    </message>
+    <message>
         <source>the configuration was read from the device &apos;{}&apos;, this one is &apos;{}&apos;</source>
         <translation>该配置读自设备“{}”，而此设备是“{}”</translation>
     </message>

@@ -30,7 +30,7 @@ NEVER_SHOWN = (
     "app/actuators/htm/amplifier_analysis.cpp", "app/actuators/htm/motor_analysis.cpp",
     "app/actuators/htm/motor_geometry_analysis.cpp")
 # words of a notation
-NO_SENTENCES = {"give them: --ran GAINS.json", "recorded move", "the same move with these gains", "{} Hz", "zeta, omega-rad-s", "ultimate-gain, ultimate-period", "phase-margin-deg, omega-rad-s", "max-sensitivity, current-limit-a, step-deg", "{}, seed, imperfections, chain",
+NO_SENTENCES = {"the board ran firmware '", "give them: --ran GAINS.json", "recorded move", "the same move with these gains", "{} Hz", "zeta, omega-rad-s", "ultimate-gain, ultimate-period", "phase-margin-deg, omega-rad-s", "max-sensitivity, current-limit-a, step-deg", "{}, seed, imperfections, chain",
                 "value = {}", "--set {}", "ended by {}", "in use",
                 "--rate_Hz F", "--time {}", "--unit {}={}", "--separator '{}'", "{}--decimal {}", "--header {}", "CR LF",
                 "{}, from {}", ", byte order mark", "{} column{}:"}
