@@ -2,7 +2,6 @@
 
 #include "app/documents/result_documents.h"
 #include "app/figures/calibration_figures.h"
-#include "app/procedures/base/procedure_steps.h"
 #include "app/tuning/loop_conditions.h"
 #include "app/wizards/calibrate_words.h"
 #include "app/wizards/identify_words.h"

@@ -2,7 +2,6 @@
 
 #include "app/documents/identification_file.h"
 #include "app/documents/result_documents.h"
-#include "app/procedures/base/procedure_steps.h"
 #include "app/wizards/identify_form.h"
 #include "app/wizards/identify_result_view.h"
 #include "app/wizards/identify_words.h"

@@ -1,6 +1,5 @@
 #include "app/procedures/apply/band_watch.h"
 
-#include "app/procedures/base/procedure_steps.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>

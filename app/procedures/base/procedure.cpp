@@ -40,4 +40,16 @@ std::string_view verdictName(Verdict verdict) {
     return "refused";
 }
 
+ProcedureObserver listeningIn(const ProcedureObserver& observer,
+                              std::function<void(const SampleBlock&)> take) {
+    ProcedureObserver listening = observer;
+    listening.onBlock = [take = std::move(take), next = observer.onBlock](const SampleBlockPtr& block) {
+        take(*block);
+        if (next) {
+            next(block);
+        }
+    };
+    return listening;
+}
+
 } // namespace halbench::app

@@ -51,6 +51,10 @@ struct ProcedureObserver {
     AbortCheck checkAbort; ///< ends the procedure through its restore path
 };
 
+/// The observer, of whose blocks `take` hears first.
+ProcedureObserver listeningIn(const ProcedureObserver& observer,
+                              std::function<void(const SampleBlock&)> take);
+
 /// Takes a snapshot of the device's transactional parameters on construction and puts it back, disarmed, on
 /// every way out unless `keep()` was called after a verified change.
 /// Thread: the procedure's. The destructor never throws; a lost device is left to the board's watchdog.

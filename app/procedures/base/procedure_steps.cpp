@@ -14,18 +14,6 @@ Result<void> enterState(const ProcedureObserver& observer, ProcedureState state)
     return observer.checkAbort ? observer.checkAbort() : Result<void>();
 }
 
-ProcedureObserver listeningIn(const ProcedureObserver& observer,
-                              std::function<void(const SampleBlock&)> take) {
-    ProcedureObserver listening = observer;
-    listening.onBlock = [take = std::move(take), next = observer.onBlock](const SampleBlockPtr& block) {
-        take(*block);
-        if (next) {
-            next(block);
-        }
-    };
-    return listening;
-}
-
 Result<void> waitObserved(devices::Device& device, const ProcedureObserver& observer, double duration_s,
                           double from, double to, const std::string& text) {
     constexpr double Piece_s = 0.1;

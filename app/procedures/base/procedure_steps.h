@@ -13,10 +13,6 @@ namespace halbench::app {
 /// Enters a state: tells the observer, then asks it whether to go on. Errors: what checkAbort says.
 Result<void> enterState(const ProcedureObserver& observer, ProcedureState state);
 
-/// The observer, of whose blocks `take` hears first.
-ProcedureObserver listeningIn(const ProcedureObserver& observer,
-                              std::function<void(const SampleBlock&)> take);
-
 /// Lets device time pass in pieces, asking the observer between them and telling it how far
 /// `from ... to` of the whole is done. Errors: of the clock, of checkAbort.
 Result<void> waitObserved(devices::Device& device, const ProcedureObserver& observer, double duration_s,
