@@ -233,6 +233,10 @@ Result<UltimateEstimate> ultimateOfCycle(const LimitCyclePoint& cycle, const Cyc
         if (!rotor) {
             return failure(rotor.error());
         }
+        if (!(rotor->dampingRate_1_s > 0.0)) {
+            return failure(ErrorCode::Refused, "the cycle shows a damping below zero, which no motor has",
+                           "calibrate the sensors; look for a delay that the board does not tell");
+        }
         result.rotor = *rotor;
         return ultimateGain(*rotor, loop.period_s, loop.delay_samples);
     };

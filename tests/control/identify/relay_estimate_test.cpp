@@ -129,6 +129,21 @@ TEST(LimitCycle, holdsTheTrueGainUnderNoise) {
 }
 
 // Below the limit the loop comes to rest on the ramp: nothing swings.
+// The plant of a rotor that drives itself, whatever the circle of confidence holds.
+TEST(LimitCycle, refusesADampingBelowZero) {
+    for (const double damping_1_s : {-0.5, -2.2, -5.0}) {
+        HeldRotor rotor = Published;
+        LimitCyclePoint cycle;
+        cycle.frequency_rad_s = 20.0;
+        rotor.dampingRate_1_s = damping_1_s;
+        cycle.plant = heldRotorResponse(rotor, Period_s, cycle.frequency_rad_s);
+        cycle.radius = 0.3 * std::abs(cycle.plant); // wide enough to hold rotors that damp
+        CycleLoop loop = loopOf(0);
+        loop.mostPhase_deg = 60.0;
+        EXPECT_EQ(ultimateOfCycle(cycle, loop).error().code, ErrorCode::Refused) << damping_1_s;
+    }
+}
+
 TEST(LimitCycle, refusesALoopThatDoesNotSwing) {
     Loop loop;
     loop.gain_A_per_rad = 10.0;
