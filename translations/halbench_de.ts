@@ -6711,8 +6711,52 @@
         <translation>zeichnen Sie mehr Hoch- und Ausläufe mit verschiedenen Strömen auf, in beiden Richtungen</translation>
     </message>
     <message>
-        <source>the board&apos;s {} may still be {} instead of {} ms, as before it was armed: {}</source>
-        <translation>der Wert {} des Steuergeräts ist vielleicht noch {} statt {} ms wie vor der Freigabe: {}</translation>
+        <source>the cycle shows a damping below zero, which no motor has</source>
+        <translation>die Schwingung zeigt eine Dämpfung unter null, die kein Motor hat</translation>
+    </message>
+    <message>
+        <source>calibrate the sensors; look for a delay that the board does not tell</source>
+        <translation>kalibrieren Sie die Sensoren; suchen Sie eine Totzeit, die das Board nicht nennt</translation>
+    </message>
+    <message>
+        <source>the intervals do not hold that error: use the speeds that matter, warm the bearings up first, and look at the residuals</source>
+        <translation>die Intervalle enthalten diesen Fehler nicht: nutzen Sie die Drehzahlen, auf die es ankommt, lassen Sie die Lager erst warm laufen und sehen Sie sich die Residuen an</translation>
+    </message>
+    <message>
+        <source>drag grows with the square of the speed, by {}</source>
+        <translation>der Widerstand wächst mit dem Quadrat der Drehzahl, um {}</translation>
+    </message>
+    <message>
+        <source>c, K_f and phi are those beside this term; the model that is used for tuning has no such drag</source>
+        <translation>c, K_f und phi gelten neben diesem Term; das Modell für die Einstellung hat keinen solchen Widerstand</translation>
+    </message>
+    <message>
+        <source>friction falls with the speed (Stribeck): at {} rad/s it is higher by {}, above about {} rad/s it is constant</source>
+        <translation>die Reibung fällt mit der Drehzahl (Stribeck): bei {} rad/s ist sie um {} höher, über etwa {} rad/s ist sie konstant</translation>
+    </message>
+    <message>
+        <source>c, K_f and phi are those beside this term, at high speed; near standstill friction is higher</source>
+        <translation>c, K_f und phi gelten neben diesem Term, bei hoher Drehzahl; nahe dem Stillstand ist die Reibung höher</translation>
+    </message>
+    <message>
+        <source>model inadequate: the damping differs between the directions</source>
+        <translation>Modell unzureichend: die Dämpfung unterscheidet sich zwischen den Richtungen</translation>
+    </message>
+    <message>
+        <source>the damping changes with the current: the angle of the torque moves with it, as a wrong compensation of the stray field moves it</source>
+        <translation>die Dämpfung ändert sich mit dem Strom: der Winkel des Drehmoments wandert mit ihm, wie ihn eine falsche Kompensation des Streufelds verschiebt</translation>
+    </message>
+    <message>
+        <source>phi is smaller than the true one by up to some per cent: calibrate the stray field, then identify again</source>
+        <translation>phi ist um bis zu einige Prozent kleiner als in Wahrheit: kalibrieren Sie das Streufeld und identifizieren Sie dann erneut</translation>
+    </message>
+    <message>
+        <source>model inadequate: the damping changes in the course of the recording</source>
+        <translation>Modell unzureichend: die Dämpfung ändert sich im Lauf der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>model inadequate: friction depends on the speed as no known law does</source>
+        <translation>Modell unzureichend: die Reibung hängt von der Drehzahl ab wie nach keinem bekannten Gesetz</translation>
     </message>
 </context>
 <context>

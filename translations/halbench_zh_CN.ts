@@ -6711,8 +6711,52 @@
         <translation>以不同电流在两个方向上记录更多的加速和惯性减速</translation>
     </message>
     <message>
-        <source>the board&apos;s {} may still be {} instead of {} ms, as before it was armed: {}</source>
-        <translation>控制板的 {} 可能仍为 {} ms 而不是使能前的 {} ms：{}</translation>
+        <source>the cycle shows a damping below zero, which no motor has</source>
+        <translation>振荡显示阻尼低于零，没有电机如此</translation>
+    </message>
+    <message>
+        <source>calibrate the sensors; look for a delay that the board does not tell</source>
+        <translation>请标定传感器；检查电路板未说明的延迟</translation>
+    </message>
+    <message>
+        <source>the intervals do not hold that error: use the speeds that matter, warm the bearings up first, and look at the residuals</source>
+        <translation>区间不包含这一误差：请使用实际关心的转速，先预热轴承，并查看残差</translation>
+    </message>
+    <message>
+        <source>drag grows with the square of the speed, by {}</source>
+        <translation>阻力随转速平方增大，系数为 {}</translation>
+    </message>
+    <message>
+        <source>c, K_f and phi are those beside this term; the model that is used for tuning has no such drag</source>
+        <translation>c、K_f 和 phi 是除该项之外的值；整定所用的模型没有这种阻力</translation>
+    </message>
+    <message>
+        <source>friction falls with the speed (Stribeck): at {} rad/s it is higher by {}, above about {} rad/s it is constant</source>
+        <translation>摩擦随转速下降（Stribeck）：在 {} rad/s 时高出 {}，约 {} rad/s 以上为常数</translation>
+    </message>
+    <message>
+        <source>c, K_f and phi are those beside this term, at high speed; near standstill friction is higher</source>
+        <translation>c、K_f 和 phi 是除该项之外、高转速时的值；接近静止时摩擦更高</translation>
+    </message>
+    <message>
+        <source>model inadequate: the damping differs between the directions</source>
+        <translation>模型不充分：两个方向的阻尼不同</translation>
+    </message>
+    <message>
+        <source>the damping changes with the current: the angle of the torque moves with it, as a wrong compensation of the stray field moves it</source>
+        <translation>阻尼随电流变化：转矩的角度随之移动，错误的杂散场补偿就会如此</translation>
+    </message>
+    <message>
+        <source>phi is smaller than the true one by up to some per cent: calibrate the stray field, then identify again</source>
+        <translation>phi 比真值最多小百分之几：请标定杂散场，然后重新辨识</translation>
+    </message>
+    <message>
+        <source>model inadequate: the damping changes in the course of the recording</source>
+        <translation>模型不充分：阻尼在记录过程中变化</translation>
+    </message>
+    <message>
+        <source>model inadequate: friction depends on the speed as no known law does</source>
+        <translation>模型不充分：摩擦随转速的变化不符合任何已知规律</translation>
     </message>
 </context>
 <context>

@@ -150,6 +150,14 @@ Result<BalanceFit> fitBalance(const MotionFit& motion) {
     byDamping(0) = 1.0;
     balance.dampingCovariance =
         motion.dampingError_per_s * motion.dampingError_per_s * byDamping * byDamping.transpose();
+    for (const SharedError& error : motion.sharedErrors) {
+        const Eigen::Map<const Eigen::VectorXd> moved(error.balances_rad_s2.data(), rows);
+        const Eigen::VectorXd along =
+            line.unscaled * (balance.design.transpose() * balance.weights.cwiseProduct(moved));
+        Eigen::Vector3d shared = map * along;
+        shared(0) = error.damping_per_s;
+        balance.dampingCovariance += shared * shared.transpose();
+    }
     addDirections(balance, *layout, line);
     return balance;
 }

@@ -346,6 +346,9 @@ MotorRatios motorRatios(const MotionFit& motion, const std::optional<BalanceFit>
     }
     Eigen::Matrix3d byDamping = Eigen::Matrix3d::Zero();
     byDamping(0, 0) = motion.dampingError_per_s * motion.dampingError_per_s;
+    for (const SharedError& error : motion.sharedErrors) {
+        byDamping(0, 0) += error.damping_per_s * error.damping_per_s;
+    }
     Eigen::Matrix3d byScatter = Eigen::Matrix3d::Zero();
     Eigen::Matrix3d bySupply = Eigen::Matrix3d::Zero();
     if (balance) {
@@ -354,8 +357,7 @@ MotorRatios motorRatios(const MotionFit& motion, const std::optional<BalanceFit>
         const double error = torque_ratio * balance->torque_rad_s2_A.value_or(0.0);
         bySupply(2, 2) = error * error;
     }
-    data.errors.push_back(
-        {chosen * byDamping * chosen.transpose(), static_cast<double>(motion.dampingFreedom)});
+    data.errors.push_back({chosen * byDamping * chosen.transpose(), motion.dampingFreedom});
     const bool isScatterSeen = balance && !balance->isScatterAssumed;
     data.errors.push_back({chosen * byScatter * chosen.transpose(),
                            isScatterSeen ? std::fmax(balance->freedom, 1.0) : Infinite});

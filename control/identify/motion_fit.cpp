@@ -3,7 +3,7 @@
 #include "control/base/assert.h"
 #include "control/base/units.h"
 #include "control/identify/motion_projection.h"
-#include "control/identify/motion_shape.h"
+#include "control/identify/torque_loss.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -61,22 +61,21 @@ Result<double> iterateDamping(std::span<const MotionSegment> segments, double da
     return damping;
 }
 
-// Sandwich over segments, never below the independent-noise variance while there are few of them.
+// CR2 over segments, never below the independent-noise variance while there are few of them. Few long
+// run-ups may carry most of what is known: the degrees of freedom count them and not the segments.
 void dampingSpread(MotionFit& fit, const MotionSolution& solution, const Eigen::VectorXd& column,
                    std::span<const MotionSegment> segments, int unknowns) {
-    const double size = column.squaredNorm();
-    const auto count = static_cast<double>(segments.size());
-    const auto rows = static_cast<double>(column.size());
-    const double meat = clusterMeat(solution, column)(0, 0);
-    const double noise = solution.squares / std::max(rows - unknowns, 1.0) / size;
-    constexpr double EnoughClusters = 10.0;
-    if (count < EnoughClusters) {
-        const double sandwich = count > 1.0 ? meat / (size * size) * count / (count - 1.0) : 0.0;
-        fit.dampingError_per_s = std::sqrt(std::max(noise, sandwich));
-        fit.dampingFreedom = std::max(static_cast<int>(rows) - unknowns, 1);
+    constexpr std::size_t EnoughClusters = 10;
+    const double rows = std::max(static_cast<double>(column.size()) - unknowns, 1.0);
+    const double noise = solution.squares / rows / column.squaredNorm();
+    const auto clusters = fitClusters(solution, column);
+    const double spread = clusters ? clusters->covariance(0, 0) : 0.0;
+    if (segments.size() < EnoughClusters) {
+        fit.dampingError_per_s = std::sqrt(std::max(noise, spread));
+        fit.dampingFreedom = rows;
     } else {
-        fit.dampingError_per_s = std::sqrt(meat / (size * size) * count / (count - 1.0));
-        fit.dampingFreedom = static_cast<int>(count) - 1;
+        fit.dampingError_per_s = std::sqrt(spread);
+        fit.dampingFreedom = clusters ? clusters->freedom(0) : 1.0;
     }
 }
 
@@ -109,24 +108,6 @@ void addBalances(MotionFit& fit, std::span<const MotionSegment> segments, const 
         fit.balances.push_back(balance);
         row += n;
     }
-}
-
-MotionColumns affordableColumns(std::span<const MotionSegment> segments, const MotionFitConfig& config) {
-    double travel = 0.0;
-    std::size_t rows = 0;
-    for (const MotionSegment& segment : segments) {
-        travel += std::fabs(segment.angle_rad.back() - segment.angle_rad.front());
-        rows += segment.angle_rad.size();
-    }
-    // An angle error can be told from motion only when every angle was passed at many different times.
-    constexpr double EnoughTurns = 20.0;
-    constexpr std::size_t EnoughRows = 600;
-    MotionColumns columns;
-    if (travel > EnoughTurns * 2.0 * Pi && rows > EnoughRows) {
-        columns.orders = config.angleOrders;
-        columns.ripple = config.fitsRipple;
-    }
-    return columns;
 }
 
 Result<void> checkSegments(std::span<const MotionSegment> segments) {
@@ -199,37 +180,6 @@ Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_
     return fit;
 }
 
-// What a loss L = 1 s^2 of torque at speed does to the angle of each segment; speeds and torque from a fit
-// that did not know of it, which is right to first order of the loss (resources/help/identification.md 3.1).
-// Where torque and friction are not told apart, what is left of the torque stands for it.
-std::vector<Eigen::VectorXd> lossResponse(std::span<const MotionSegment> segments, const MotionFit& fit,
-                                          const MotionColumns& columns) {
-    const auto balance = fitBalance(fit);
-    const double torque = balance ? balance->torque_rad_s2_A.value_or(0.0) : 0.0;
-    const MotionSolution solution = solveMotion(segments, fit.damping_per_s, columns);
-    std::vector<Eigen::VectorXd> response;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const Eigen::Vector3d& local = solution.local[i];
-        const MotionSegment& segment = segments[i];
-        const double rest = segment.current_A == 0.0 ? 0.0 : fit.balances[i].balance_rad_s2;
-        const double drive = torque > 0.0 ? torque * segment.current_A : segment.direction * rest;
-        response.emplace_back(-drive * forceShape(segment, fit.damping_per_s, {local(1), local(2)},
-                                                  [](double speed) { return speed * speed; }));
-    }
-    return response;
-}
-
-std::vector<MotionSegment> withoutLoss(std::span<const MotionSegment> segments,
-                                       const std::vector<Eigen::VectorXd>& response, double loss_s2) {
-    std::vector<MotionSegment> corrected(segments.begin(), segments.end());
-    for (std::size_t i = 0; i < corrected.size(); ++i) {
-        for (std::size_t row = 0; row < corrected[i].angle_rad.size(); ++row) {
-            corrected[i].angle_rad[row] -= loss_s2 * response[i](static_cast<Eigen::Index>(row));
-        }
-    }
-    return corrected;
-}
-
 // The loss as an unknown of the fit, in units of `scale_s2` so that all columns are of one size.
 Result<MotionFit> fitWithLoss(std::span<const MotionSegment> segments, double start_per_s,
                               MotionColumns columns, const std::vector<Eigen::VectorXd>& response,
@@ -247,16 +197,20 @@ Result<MotionFit> fitWithLoss(std::span<const MotionSegment> segments, double st
     return fit;
 }
 
-// The loss as assumed; what a would change by 1 sigma of the assumption is part of its error.
+// The loss as assumed; what 1 sigma of the assumption changes is one error that all segments share.
 Result<MotionFit> fitAssumingLoss(std::span<const MotionSegment> segments, const MotionFit& first,
                                   const MotionColumns& columns, const std::vector<Eigen::VectorXd>& response,
                                   const MotionFitConfig& config) {
-    auto fit = fitOnce(withoutLoss(segments, response, config.torqueLoss_s2), first.damping_per_s, columns,
-                       config.checkAbort);
+    auto fit = fitOnce(withoutTorqueLoss(segments, response, config.torqueLoss_s2), first.damping_per_s,
+                       columns, config.checkAbort);
     if (fit) {
-        const double shift = fit->damping_per_s - first.damping_per_s;
-        fit->dampingError_per_s =
-            std::hypot(fit->dampingError_per_s, config.torqueLossError_s2 / config.torqueLoss_s2 * shift);
+        const double sigma = config.torqueLossError_s2 / config.torqueLoss_s2;
+        SharedError error{sigma * (fit->damping_per_s - first.damping_per_s), {}};
+        for (std::size_t i = 0; i < first.balances.size(); ++i) {
+            error.balances_rad_s2.push_back(
+                sigma * (fit->balances[i].balance_rad_s2 - first.balances[i].balance_rad_s2));
+        }
+        fit->sharedErrors.push_back(std::move(error));
         fit->torqueLoss_s2 = config.torqueLoss_s2;
         fit->torqueLossError_s2 = config.torqueLossError_s2;
     }
@@ -269,7 +223,7 @@ Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const Motio
     if (const auto checked = checkSegments(segments); !checked) {
         return failure(checked.error());
     }
-    const MotionColumns columns = affordableColumns(segments, config);
+    const MotionColumns columns = affordableColumns(segments, config.angleOrders, config.fitsRipple);
     const Result<double> start_per_s = startDamping(segments, config.checkAbort);
     if (!start_per_s) {
         return failure(start_per_s.error());
@@ -278,7 +232,7 @@ Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const Motio
     if (!fit || config.torqueLoss_s2 == 0.0) {
         return fit;
     }
-    const auto response = lossResponse(segments, *fit, columns);
+    const auto response = torqueLossResponse(segments, *fit, columns);
     if (segments.size() >= EnoughClusters && columns.count() > 0) {
         auto fitted = fitWithLoss(segments, fit->damping_per_s, columns, response, config);
         if (fitted && fitted->torqueLossError_s2 < config.torqueLossError_s2) {

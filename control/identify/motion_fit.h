@@ -33,11 +33,17 @@ struct SegmentBalance {
     double residualRms_rad = 0.0;
 };
 
+/// One sigma of a cause of error that all segments share, as it moves the damping and the balances.
+struct SharedError {
+    double damping_per_s = 0.0;
+    std::vector<double> balances_rad_s2;
+};
+
 /// Damping over inertia from the shape of all segments, balance of torques from each.
 struct MotionFit {
-    double damping_per_s = 0.0;      ///< a = c/J
-    double dampingError_per_s = 0.0; ///< 1 sigma, segments as independent clusters
-    int dampingFreedom = 0;
+    double damping_per_s = 0.0;           ///< a = c/J
+    double dampingError_per_s = 0.0;      ///< 1 sigma, segments as independent clusters
+    double dampingFreedom = 0.0;          ///< effective, of Student's t
     std::vector<SegmentBalance> balances; ///< in the order of the segments
     int angleOrders = 0;                  ///< orders that the data could carry
     std::vector<double> angleError_rad;   ///< of cos theta, sin theta, cos 2 theta, ... of the measured angle
@@ -45,6 +51,7 @@ struct MotionFit {
     double torqueLoss_s2 = 0.0; ///< L, fitted or assumed
     double torqueLossError_s2 = 0.0;
     bool isTorqueLossFitted = false;
+    std::vector<SharedError> sharedErrors;    ///< besides dampingError_per_s, independent of it
     std::vector<double> angleErrorSpread_rad; ///< 1 sigma of angleError_rad; empty below ten segments
 };
 
@@ -56,8 +63,8 @@ struct MotionFit {
 /// biasing a), a common damping a, the sensors' angle error h as a Fourier series, and the response r of the
 /// rotor to torque and friction ripple and to the loss of torque at speed. Variable projection: the linear
 /// unknowns are eliminated exactly, a is found by Gauss-Newton. Covariance of a by the sandwich over
-/// segments. Cost: samples times unknowns^2. Errors: Refused (no segment; the segments do not bend, so that a
-/// is undecided), NotFinite, that of checkAbort. Source: resources/help/identification.md section 3.
+/// segments (CR2). Cost: samples times unknowns^2. Errors: Refused (no segment; the segments do not bend, so
+/// that a is undecided), NotFinite, that of checkAbort. Source: resources/help/identification.md section 3.
 Result<MotionFit> fitMotion(std::span<const MotionSegment> segments, const MotionFitConfig& config = {});
 
 /// The measured angle without the sensors' error that the fit found.
@@ -72,7 +79,8 @@ struct BalanceFit {
     std::optional<double> asymmetry; ///< (K_f+ - K_f-)/(K_f+ + K_f-)
     double asymmetryError = 0.0;
     Eigen::Matrix3d scatterCovariance = Eigen::Matrix3d::Zero(); ///< of (a, f, k) from run-to-run friction
-    Eigen::Matrix3d dampingCovariance = Eigen::Matrix3d::Zero(); ///< of (a, f, k) from the error of a
+    /// of (a, f, k) from the error of a and what else all segments share
+    Eigen::Matrix3d dampingCovariance = Eigen::Matrix3d::Zero();
     int freedom = 0;
     double scatter_rad_s2 = 0.0;   ///< run-to-run friction over J, 1 sigma
     bool isScatterAssumed = false; ///< no stretch is left over to show it

@@ -1,7 +1,10 @@
 #include "control/identify/motion_projection.h"
 
+#include "control/base/units.h"
 #include "control/identify/motion_shape.h"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 namespace halbench::control {
@@ -19,6 +22,24 @@ Eigen::MatrixXd reduced(const Eigen::HouseholderQR<Eigen::MatrixXd>& qr, const E
 
 int MotionColumns::count() const {
     return 2 * orders + (ripple ? RippleColumns : 0) + (loss.empty() ? 0 : 1);
+}
+
+MotionColumns affordableColumns(std::span<const MotionSegment> segments, int orders, bool hasRipple) {
+    double travel = 0.0;
+    std::size_t rows = 0;
+    for (const MotionSegment& segment : segments) {
+        travel += std::fabs(segment.angle_rad.back() - segment.angle_rad.front());
+        rows += segment.angle_rad.size();
+    }
+    // An angle error can be told from motion only when every angle was passed at many different times.
+    constexpr double EnoughTurns = 20.0;
+    constexpr std::size_t EnoughRows = 600;
+    MotionColumns columns;
+    if (travel > EnoughTurns * 2.0 * Pi && rows > EnoughRows) {
+        columns.orders = orders;
+        columns.ripple = hasRipple;
+    }
+    return columns;
 }
 
 ProjectedSegment projectSegment(std::span<const MotionSegment> segments, std::size_t which, double damping,
@@ -101,6 +122,48 @@ Eigen::VectorXd dampingColumn(std::span<const MotionSegment> segments, const Mot
         columns.emplace_back(solution.local[i](2) * dampingShape(segments[i], damping));
     }
     return withoutLocal(solution, columns);
+}
+
+Result<ClusterFit> fitClusters(const MotionSolution& solution, const Eigen::MatrixXd& columns) {
+    const Eigen::Index count = columns.cols();
+    const Eigen::VectorXd scale = columns.colwise().norm().cwiseMax(1e-300).transpose();
+    const Eigen::MatrixXd scaled = columns * scale.cwiseInverse().asDiagonal();
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
+    const Eigen::MatrixXd R = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
+    constexpr double SmallestRest = 1e-4; // of a column, that the others do not explain
+    if (!(R.diagonal().cwiseAbs().minCoeff() > SmallestRest)) {
+        return failure(ErrorCode::Refused, "the motion does not tell the forces apart",
+                       "record run-ups and coast-downs over a wider range of speed");
+    }
+    const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), count);
+    const Eigen::MatrixXd toValues =
+        scale.cwiseInverse().asDiagonal() *
+        R.triangularView<Eigen::Upper>().solve(Eigen::MatrixXd::Identity(count, count)).eval();
+    const Eigen::VectorXd whitened = Q.transpose() * solution.rest;
+    ClusterFit fit;
+    fit.values = toValues * whitened;
+    fit.rest = solution.rest - Q * whitened;
+    const Eigen::MatrixXd directions = toValues.rowwise().normalized();
+    Eigen::MatrixXd meat = Eigen::MatrixXd::Zero(count, count);
+    Eigen::VectorXd squares = Eigen::VectorXd::Zero(count);
+    Eigen::Index row = 0;
+    for (const ProjectedSegment& part : solution.parts) {
+        const auto here = Q.middleRows(row, part.angle.size());
+        const Eigen::MatrixXd leverage = here.transpose() * here;
+        constexpr double LargestLeverage = 0.99; // a segment alone says nothing of its own error
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(leverage);
+        const Eigen::VectorXd factors =
+            (1.0 - eigen.eigenvalues().array().min(LargestLeverage)).sqrt().inverse();
+        const Eigen::VectorXd score = eigen.eigenvectors() * factors.asDiagonal() *
+                                      eigen.eigenvectors().transpose() * here.transpose() *
+                                      fit.rest.segment(row, part.angle.size());
+        meat += score * score.transpose();
+        squares += (directions * leverage * directions.transpose()).diagonal().cwiseAbs2();
+        row += part.angle.size();
+    }
+    fit.covariance = toValues * meat * toValues.transpose();
+    fit.freedom = (squares.cwiseInverse().array() - 1.0).max(1.0);
+    return fit;
 }
 
 Eigen::MatrixXd clusterMeat(const MotionSolution& solution, const Eigen::MatrixXd& columns) {

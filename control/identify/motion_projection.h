@@ -21,6 +21,19 @@ struct MotionColumns {
     int count() const;
 };
 
+/// As many orders and the ripple as the travel and the rows of the segments can carry.
+MotionColumns affordableColumns(std::span<const MotionSegment> segments, int orders, bool hasRipple);
+
+/// Coefficients of one to three columns, without what local and global unknowns explain, each segment being
+/// a cluster: CR2, the residuals of a segment raised by (1 - leverage)^-1/2 in the columns' own space.
+struct ClusterFit {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd covariance;
+    Eigen::VectorXd
+        freedom; ///< of Student's t: what the spread of the leverage leaves of the clusters, less one
+    Eigen::VectorXd rest; ///< residual, stacked
+};
+
 /// One segment for one value of the damping, local unknowns projected out.
 struct ProjectedSegment {
     Eigen::MatrixXd local;      ///< n x 3
@@ -56,6 +69,9 @@ Eigen::VectorXd withoutGlobal(const MotionSolution& solution, const Eigen::Vecto
 /// Derivative of the model by the damping, local unknowns projected out.
 Eigen::VectorXd dampingColumn(std::span<const MotionSegment> segments, const MotionSolution& solution,
                               double damping);
+
+/// Errors: Refused (columns that do not tell each other apart, or less than two segments that carry them).
+Result<ClusterFit> fitClusters(const MotionSolution& solution, const Eigen::MatrixXd& columns);
 
 /// Sum over the segments of (column' residual)(column' residual)': what independent clusters make of the
 /// variance of the columns' coefficients.

@@ -118,19 +118,25 @@ Eigen::VectorXd forceShape(const MotionSegment& segment, double damping_per_s, c
         const double lag = std::fabs(x) < 1e-9 ? t : -std::expm1(-x) / damping_per_s;
         return force_rad_s2(course.speed_rad_s + course.acceleration_rad_s2 * lag);
     };
-    Eigen::VectorXd shape = Eigen::VectorXd::Zero(rowsOf(segment));
-    double speed = 0.0;
-    double before = forceAt(0.0);
-    for (Eigen::Index i = 1; i < shape.size(); ++i) {
+    Eigen::VectorXd forces(rowsOf(segment));
+    for (Eigen::Index i = 0; i < forces.size(); ++i) {
+        forces(i) = forceAt(since(segment, i));
+    }
+    return forceResponse(segment, damping_per_s, forces).angle;
+}
+
+ForceResponse forceResponse(const MotionSegment& segment, double damping_per_s,
+                            const Eigen::VectorXd& force_rad_s2) {
+    const Eigen::Index rows = rowsOf(segment);
+    ForceResponse response{Eigen::VectorXd::Zero(rows), Eigen::VectorXd::Zero(rows)};
+    for (Eigen::Index i = 1; i < rows; ++i) {
         const double step = since(segment, i) - since(segment, i - 1);
         const double decay = std::exp(-damping_per_s * step);
-        const double now = forceAt(since(segment, i));
-        const double next = decay * speed + 0.5 * step * (decay * before + now);
-        shape(i) = shape(i - 1) + 0.5 * step * (speed + next);
-        speed = next;
-        before = now;
+        const double speed = response.speed(i - 1);
+        response.speed(i) = decay * speed + 0.5 * step * (decay * force_rad_s2(i - 1) + force_rad_s2(i));
+        response.angle(i) = response.angle(i - 1) + 0.5 * step * (speed + response.speed(i));
     }
-    return shape;
+    return response;
 }
 
 } // namespace halbench::control

@@ -33,4 +33,12 @@ struct SpeedCourse {
 Eigen::VectorXd forceShape(const MotionSegment& segment, double damping_per_s, const SpeedCourse& course,
                            const std::function<double(double)>& force_rad_s2);
 
+/// Angle and speed of delta'' + a delta' = force, from rest; one value of the force for each row.
+struct ForceResponse {
+    Eigen::VectorXd angle;
+    Eigen::VectorXd speed;
+};
+ForceResponse forceResponse(const MotionSegment& segment, double damping_per_s,
+                            const Eigen::VectorXd& force_rad_s2);
+
 } // namespace halbench::control

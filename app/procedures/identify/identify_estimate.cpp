@@ -122,6 +122,19 @@ void takeTemperatures(const Recording& recording, IdentifyFits& fits) {
     }
 }
 
+// The same for the forces that the model lacks: g(omega)/a, of which one sigma is an error of all points.
+double missingSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point, bool isError) {
+    double speed = 0.0;
+    if (fits.missing.isTaken) {
+        for (const control::ExtraForceTerm& term : fits.missing.terms) {
+            const double force_rad_s2 =
+                control::extraForceAtSpeed_rad_s2(term, point.speed_rad_s, point.current_A);
+            speed -= force_rad_s2 * (isError ? term.error : term.value) / fits.motion->damping_per_s;
+        }
+    }
+    return speed;
+}
+
 control::SegmentConfig segmentConfigOf(const IdentifyConfig& config) {
     control::SegmentConfig segments;
     segments.slowest_rad_s = config.usableSpeed_rad_s;
@@ -254,8 +267,13 @@ Result<void> fitSteadySweep(const Recording& recording, const Columns& columns,
         }
         fits.points.push_back(*point);
         if (point->isUsed) {
-            steady.push_back({point->current_A, point->speed_rad_s + lostSpeed_rad_s(fits, *point, loss_s2),
-                              error_rad_s, lostSpeed_rad_s(fits, *point, lossError_s2)});
+            const double speed_rad_s = point->speed_rad_s;
+            steady.push_back(
+                {point->current_A,
+                 speed_rad_s + lostSpeed_rad_s(fits, *point, loss_s2) +
+                     missingSpeed_rad_s(fits, *point, false),
+                 error_rad_s,
+                 lostSpeed_rad_s(fits, *point, lossError_s2) + missingSpeed_rad_s(fits, *point, true)});
         }
     }
     auto sweep = control::fitFrictionSweep(steady, config.seed);
@@ -293,6 +311,57 @@ double oneWayDampingError_per_s(const control::MotionFit& motion, double lag_s) 
     return balance->torque_rad_s2_A.value_or(0.0) * largest_A * MountingError_rad * lag_s;
 }
 
+void addOneWayError(control::MotionFit& motion, const IdentifyConfig& config) {
+    motion.dampingError_per_s =
+        std::hypot(motion.dampingError_per_s, oneWayDampingError_per_s(motion, config.commutationLag_s));
+}
+
+// Do the constants of one fit lie outside the intervals of the other, or 2 % away?
+bool areConstantsMoved(const control::MotionFit& motion, const control::BalanceFit& balance,
+                       const control::MotionFit& otherMotion, const control::BalanceFit& other) {
+    constexpr double Notable_ratio = 0.02;
+    const Eigen::Matrix3d covariance = balance.scatterCovariance + balance.dampingCovariance;
+    const Eigen::Vector3d values(motion.damping_per_s, balance.friction_rad_s2.value_or(0.0),
+                                 balance.torque_rad_s2_A.value_or(0.0));
+    const Eigen::Vector3d others(otherMotion.damping_per_s, other.friction_rad_s2.value_or(0.0),
+                                 other.torque_rad_s2_A.value_or(0.0));
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+        const double moved = std::fabs(others(i) - values(i));
+        if (moved > 2.0 * std::sqrt(covariance(i, i)) || moved > Notable_ratio * std::fabs(values(i))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+Result<void> takeMissingForces(std::span<const control::MotionSegment> segments,
+                               const control::MotionFit& plain, const control::MotionFitConfig& motionConfig,
+                               const IdentifyConfig& config, IdentifyFits& fits) {
+    control::ExtraForceConfig forces;
+    forces.motion = motionConfig;
+    forces.slowest_rad_s = config.usableSpeed_rad_s;
+    auto extended = control::fitExtraForces(segments, plain, forces);
+    if (auto goesOn = askedToEnd(motionConfig.checkAbort); !goesOn) {
+        return goesOn;
+    }
+    if (!extended) {
+        return {}; // the motion is too little to tell any of them
+    }
+    fits.missing = {extended->terms, extended->isAdequate, false};
+    addOneWayError(extended->motion, config);
+    auto balance = control::fitBalance(extended->motion);
+    if (!balance) {
+        return {};
+    }
+    fits.missing.isTaken = !extended->terms.empty() &&
+                           areConstantsMoved(*fits.motion, *fits.balance, extended->motion, *balance);
+    if (fits.missing.isTaken || extended->terms.empty()) {
+        fits.motion = std::move(extended->motion);
+        fits.balance = std::move(*balance);
+    }
+    return {};
+}
+
 Result<void> fitTransients(const Recording& recording, const Columns& columns,
                            const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
                            const AbortCheck& checkAbort, IdentifyFits& fits) {
@@ -310,8 +379,8 @@ Result<void> fitTransients(const Recording& recording, const Columns& columns,
         fits.motionProblem = motion.error().message;
         return {};
     }
-    motion->dampingError_per_s =
-        std::hypot(motion->dampingError_per_s, oneWayDampingError_per_s(*motion, config.commutationLag_s));
+    control::MotionFit plain = *motion;
+    addOneWayError(*motion, config);
     constexpr double WorstDampingError = 0.25;
     if (!(motion->dampingError_per_s < WorstDampingError * std::fabs(motion->damping_per_s) + 0.02)) {
         fits.motionProblem = "the motion does not bend enough to show c/J";
@@ -324,7 +393,7 @@ Result<void> fitTransients(const Recording& recording, const Columns& columns,
         return {};
     }
     fits.balance = std::move(*balance);
-    return {};
+    return takeMissingForces(segments, plain, motionConfig, config, fits);
 }
 
 } // namespace
@@ -348,6 +417,7 @@ Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConf
     }
     IdentifyFits fits;
     fits.lostRows = recording.lostRows;
+    fits.slowest_rad_s = config.usableSpeed_rad_s;
     fits.isSpeedColumn = control::looksLikeSpeed(columns->angle_rad, *plateaus);
     if (auto unwrapped = control::unwrapAngle(columns->angle_rad); unwrapped.period_rad) {
         fits.wrap_rad = unwrapped.period_rad;

@@ -1,16 +1,25 @@
 #pragma once
 
 #include "app/procedures/identify/identify_procedure.h"
-#include "control/identify/motion_fit.h"
+#include "control/identify/extra_force.h"
 
 #include <optional>
 
 namespace halbench::app {
 
+/// Forces that the motor's model lacks, as far as the motion shows them.
+struct MissingForces {
+    std::vector<control::ExtraForceTerm> terms; ///< that are significant
+    bool isAdequate = true;                     ///< with the terms, the motion shows no further one
+    bool isTaken = false; ///< they change the constants: `motion` and `balance` are those with the terms
+};
+
 /// What a recording of run-ups, plateaus and coast-downs gave, before it is judged.
 struct IdentifyFits {
     std::optional<control::MotionFit> motion;
     std::optional<control::BalanceFit> balance;
+    MissingForces missing;
+    double slowest_rad_s = 3.0; ///< of the motion that is fitted
     std::optional<control::FrictionSweep> sweep;
     std::vector<SweepPoint> points;
     std::uint64_t stoppedPlateaus = 0;

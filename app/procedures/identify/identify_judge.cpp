@@ -1,4 +1,5 @@
 #include "app/procedures/identify/identify_estimate.h"
+#include "app/procedures/identify/identify_friction_law.h"
 #include "app/procedures/identify/identify_physics.h"
 #include "control/base/counted.h"
 #include "control/base/distributions.h"
@@ -21,6 +22,8 @@ constexpr double CurrentError_ratio = 1.5e-3;
 constexpr double MagnetTemperature_per_K = 1.2e-3;
 constexpr double ThermometerError_K = 1.0;
 constexpr double Improbable = 0.01;
+// Lack of fit, runs and agreement with the motion: three chances to be wrong once in a hundred.
+constexpr double ImprobableSweep = Improbable / 3.0;
 
 double torqueError_ratio(const IdentifyFits& fits) {
     const double away_K = std::fabs(fits.startTemperature_degC - 25.0);
@@ -205,13 +208,13 @@ void judgeModel(IdentifyResult& result, const IdentifyFits& fits) {
                "ordinary and robust regression of the sweep differ by more than one standard error",
                "look at the plateaus of low weight; repeat the sweep");
     }
-    if (sweep.lackOfFit && sweep.lackOfFit->probability < Improbable) {
+    if (sweep.lackOfFit && sweep.lackOfFit->probability < ImprobableSweep) {
         remark(result.quality, Verdict::Doubtful, "model_inadequate",
                fmt::format("the sweep is not a straight line (lack of fit, p = {:.2g})",
                            sweep.lackOfFit->probability),
                "friction may depend on speed; use only the range of speeds that matters");
     }
-    if (sweep.runs.probability < Improbable) {
+    if (sweep.runs.probability < ImprobableSweep) {
         remark(result.quality, Verdict::Doubtful, "residuals_in_runs",
                fmt::format("residuals keep their sign over neighbouring speeds (runs test, p = {:.2g})",
                            sweep.runs.probability),
@@ -237,7 +240,7 @@ void judgeAgreement(IdentifyResult& result, const IdentifyFits& fits) {
     const double error = std::hypot(jointError, std::sqrt(fits.sweep->covariance(0, 0)));
     const double probability =
         control::studentTwoSided((fits.sweep->damping_A_s - joint) / error, fits.sweep->freedom);
-    if (probability < Improbable && std::fabs(fits.sweep->damping_A_s / joint - 1.0) > 0.01) {
+    if (probability < ImprobableSweep && std::fabs(fits.sweep->damping_A_s / joint - 1.0) > 0.01) {
         remark(result.quality, Verdict::Doubtful, "steady_and_transient_disagree",
                fmt::format("c/phi is {:.3g} A*s/rad from plateaus and {:.3g} from all motion (p = {:.2g})",
                            fits.sweep->damping_A_s, joint, probability),
@@ -402,7 +405,10 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
     result.points = fits.points;
     result.highestTemperature_degC = fits.highestTemperature_degC;
     addNotes(result, fits);
-    const auto ratios = ratiosOf(fits);
+    auto ratios = ratiosOf(fits);
+    if (ratios) {
+        addLossAmbiguity(*ratios, fits);
+    }
     control::JointEstimate joint = control::resolveConstants(
         ratios.value_or(control::MotorRatios{}), config.added ? control::GivenConstants{} : config.given);
     takeEstimate(result, joint);
@@ -418,6 +424,7 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
         return result;
     }
     takeAsymmetry(result, fits);
+    judgeFrictionLaw(result, fits);
     judgeStretches(result, fits);
     judgeTorqueLoss(result, fits);
     judgeModel(result, fits);

@@ -175,8 +175,14 @@ TEST(MotionFit, takesTheErrorOfTheAssumedLossIntoTheDampingWhenItCannotFindIt) {
     EXPECT_FALSE(unsure->isTorqueLossFitted);
     EXPECT_EQ(unsure->torqueLoss_s2, 3.9e-7);
     // an error of all of the loss is worth all of its correction
-    EXPECT_NEAR(unsure->dampingError_per_s,
-                std::hypot(sure->dampingError_per_s, sure->damping_per_s - without->damping_per_s), 1e-9);
+    EXPECT_EQ(unsure->dampingError_per_s, sure->dampingError_per_s);
+    ASSERT_EQ(unsure->sharedErrors.size(), 1u);
+    EXPECT_NEAR(unsure->sharedErrors.front().damping_per_s, sure->damping_per_s - without->damping_per_s,
+                1e-9);
+    for (std::size_t i = 0; i < sure->balances.size(); ++i) {
+        EXPECT_NEAR(unsure->sharedErrors.front().balances_rad_s2[i],
+                    sure->balances[i].balance_rad_s2 - without->balances[i].balance_rad_s2, 1e-7);
+    }
 }
 
 TEST(MotionFit, refusesARecordThatNeverMoves) {

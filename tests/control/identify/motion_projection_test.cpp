@@ -78,5 +78,35 @@ TEST(MotionShape, answersAForceThatDependsOnSpeed) {
     EXPECT_NEAR(shape(100), 25.0 * (1.0 / 2.0 + std::expm1(-2.0) / 4.0), 2e-3);
 }
 
+TEST(MotionProjection, clustersOfOneColumnAreRaisedByTheirLeverage) {
+    const auto segments = someSegments();
+    const MotionSolution solution = solveMotion(segments, 2.2364, {});
+    const Eigen::VectorXd column = dampingColumn(segments, solution, 2.2364);
+    const auto fit = fitClusters(solution, column);
+    ASSERT_TRUE(fit);
+    // The definition of CR2 written out for one column, segment by segment.
+    const double size = column.squaredNorm();
+    const double value = column.dot(solution.rest) / size;
+    const Eigen::VectorXd rest = solution.rest - value * column;
+    double meat = 0.0;
+    double squares = 0.0;
+    Eigen::Index row = 0;
+    for (const ProjectedSegment& part : solution.parts) {
+        const auto here = column.segment(row, part.angle.size());
+        const double leverage = here.squaredNorm() / size;
+        const double score = here.dot(rest.segment(row, part.angle.size()));
+        meat += score * score / (1.0 - leverage);
+        squares += leverage * leverage;
+        row += part.angle.size();
+    }
+    EXPECT_NEAR(fit->values(0), value, 1e-9 * std::fabs(value));
+    EXPECT_NEAR(fit->covariance(0, 0), meat / (size * size), 1e-9 * meat / (size * size));
+    EXPECT_NEAR(fit->freedom(0), 1.0 / squares - 1.0, 1e-6);
+    EXPECT_LT(fit->freedom(0), static_cast<double>(segments.size()) - 1.0);
+    Eigen::MatrixXd twice(column.size(), 2);
+    twice << column, 2.0 * column;
+    EXPECT_FALSE(fitClusters(solution, twice));
+}
+
 } // namespace
 } // namespace halbench::control
