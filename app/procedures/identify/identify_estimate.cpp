@@ -1,5 +1,6 @@
 #include "app/procedures/identify/identify_estimate.h"
 
+#include "app/procedures/identify/identify_motion.h"
 #include "control/identify/angle_column.h"
 #include "control/identify/motion_shape.h"
 #include "control/identify/plateau.h"
@@ -13,16 +14,6 @@
 
 namespace halbench::app {
 namespace {
-
-// What is left of the torque at speed omega is 1 - omega^2 times: T^2/24 of the hold between commutations
-// every T = 1 ms, plus (2 zeta tau)^2/2 - tau^2 of the amplifier's 1 + 3.0e-4 s + 1.52e-8 s^2
-// (resources/help/htm-theory.md sections 3.2 and 3.8).
-constexpr double HoldLoss_s2 = 1e-6 / 24.0 + 0.5 * 3.0e-4 * 3.0e-4 - 1.52e-8;
-
-// Of the lag that is assumed when the data do not tell it: the hold of an unknown loop may be anything up to
-// a tick of 1 ms (uniform: 1/sqrt(12)), the amplifier's 0.3 ms are good to 20 %
-// (resources/help/identification.md section 3.1).
-constexpr double LagError_s = 0.295e-3;
 
 struct Columns {
     std::vector<double> angle_rad;
@@ -133,12 +124,6 @@ double missingSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point, boo
         }
     }
     return speed;
-}
-
-control::SegmentConfig segmentConfigOf(const IdentifyConfig& config) {
-    control::SegmentConfig segments;
-    segments.slowest_rad_s = config.usableSpeed_rad_s;
-    return segments;
 }
 
 constexpr double PlateauWindow_s = 2.0;
@@ -291,111 +276,6 @@ Result<void> fitSteadySweep(const Recording& recording, const Columns& columns,
     return {};
 }
 
-// A constant error delta of the angle and the lag tau leave cos(delta + omega tau) of the torque, of which
-// -phi I delta tau omega looks like damping; it changes its sign with the direction and cancels when both
-// were run (resources/help/identification.md section 3.1).
-double oneWayDampingError_per_s(const control::MotionFit& motion, double lag_s) {
-    constexpr double MountingError_rad = 0.0087; // sensors to coils, half a degree
-    const auto balance = control::fitBalance(motion);
-    const bool runsBothWays =
-        std::any_of(motion.balances.begin(), motion.balances.end(), [&motion](const auto& segment) {
-            return segment.direction != motion.balances.front().direction;
-        });
-    if (runsBothWays || !balance) {
-        return 0.0;
-    }
-    double largest_A = 0.0;
-    for (const control::SegmentBalance& segment : motion.balances) {
-        largest_A = std::max(largest_A, segment.current_A);
-    }
-    return balance->torque_rad_s2_A.value_or(0.0) * largest_A * MountingError_rad * lag_s;
-}
-
-void addOneWayError(control::MotionFit& motion, const IdentifyConfig& config) {
-    motion.dampingError_per_s =
-        std::hypot(motion.dampingError_per_s, oneWayDampingError_per_s(motion, config.commutationLag_s));
-}
-
-// Do the constants of one fit lie outside the intervals of the other, or 2 % away?
-bool areConstantsMoved(const control::MotionFit& motion, const control::BalanceFit& balance,
-                       const control::MotionFit& otherMotion, const control::BalanceFit& other) {
-    constexpr double Notable_ratio = 0.02;
-    const Eigen::Matrix3d covariance = balance.scatterCovariance + balance.dampingCovariance;
-    const Eigen::Vector3d values(motion.damping_per_s, balance.friction_rad_s2.value_or(0.0),
-                                 balance.torque_rad_s2_A.value_or(0.0));
-    const Eigen::Vector3d others(otherMotion.damping_per_s, other.friction_rad_s2.value_or(0.0),
-                                 other.torque_rad_s2_A.value_or(0.0));
-    for (Eigen::Index i = 0; i < values.size(); ++i) {
-        const double moved = std::fabs(others(i) - values(i));
-        if (moved > 2.0 * std::sqrt(covariance(i, i)) || moved > Notable_ratio * std::fabs(values(i))) {
-            return true;
-        }
-    }
-    return false;
-}
-
-Result<void> takeMissingForces(std::span<const control::MotionSegment> segments,
-                               const control::MotionFit& plain, const control::MotionFitConfig& motionConfig,
-                               const IdentifyConfig& config, IdentifyFits& fits) {
-    control::ExtraForceConfig forces;
-    forces.motion = motionConfig;
-    forces.slowest_rad_s = config.usableSpeed_rad_s;
-    auto extended = control::fitExtraForces(segments, plain, forces);
-    if (auto goesOn = askedToEnd(motionConfig.checkAbort); !goesOn) {
-        return goesOn;
-    }
-    if (!extended) {
-        return {}; // the motion is too little to tell any of them
-    }
-    fits.missing = {extended->terms, extended->isAdequate, false};
-    addOneWayError(extended->motion, config);
-    auto balance = control::fitBalance(extended->motion);
-    if (!balance) {
-        return {};
-    }
-    fits.missing.isTaken = !extended->terms.empty() &&
-                           areConstantsMoved(*fits.motion, *fits.balance, extended->motion, *balance);
-    if (fits.missing.isTaken || extended->terms.empty()) {
-        fits.motion = std::move(extended->motion);
-        fits.balance = std::move(*balance);
-    }
-    return {};
-}
-
-Result<void> fitTransients(const Recording& recording, const Columns& columns,
-                           const std::vector<control::CurrentPlateau>& plateaus, const IdentifyConfig& config,
-                           const AbortCheck& checkAbort, IdentifyFits& fits) {
-    const auto segments =
-        control::findMotion(recording.time_s, columns.angle_rad, plateaus, segmentConfigOf(config));
-    control::MotionFitConfig motionConfig;
-    motionConfig.torqueLoss_s2 = HoldLoss_s2 + 0.5 * config.commutationLag_s * config.commutationLag_s;
-    motionConfig.torqueLossError_s2 = config.commutationLag_s * LagError_s;
-    motionConfig.checkAbort = checkAbort;
-    auto motion = control::fitMotion(segments, motionConfig);
-    if (auto goesOn = askedToEnd(checkAbort); !goesOn) {
-        return goesOn; // not a problem of the motion
-    }
-    if (!motion) {
-        fits.motionProblem = motion.error().message;
-        return {};
-    }
-    control::MotionFit plain = *motion;
-    addOneWayError(*motion, config);
-    constexpr double WorstDampingError = 0.25;
-    if (!(motion->dampingError_per_s < WorstDampingError * std::fabs(motion->damping_per_s) + 0.02)) {
-        fits.motionProblem = "the motion does not bend enough to show c/J";
-        return {};
-    }
-    fits.motion = std::move(*motion);
-    auto balance = control::fitBalance(*fits.motion);
-    if (!balance) {
-        fits.balanceProblem = balance.error().message;
-        return {};
-    }
-    fits.balance = std::move(*balance);
-    return takeMissingForces(segments, plain, motionConfig, config, fits);
-}
-
 } // namespace
 
 Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConfig& config,
@@ -424,7 +304,8 @@ Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConf
         columns->angle_rad = std::move(unwrapped.angle_rad);
     }
     takeTemperatures(recording, fits);
-    if (auto done = fitTransients(recording, *columns, *plateaus, config, checkAbort, fits); !done) {
+    if (auto done = fitTransients(recording.time_s, columns->angle_rad, *plateaus, config, checkAbort, fits);
+        !done) {
         return failure(done.error());
     }
     if (fits.motion) {

@@ -1,4 +1,5 @@
 #include "app/procedures/identify/identify_friction_law.h"
+#include "app/procedures/identify/identify_motion.h"
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,16 @@ TEST(IdentifyFrictionLaw, aLossThatAWrongStrayFieldMayMakeIsAnErrorOfTorqueAndDa
     EXPECT_NEAR(std::sqrt(covariance(2, 2)), 25.0 * 0.01125, 1e-9);
     EXPECT_GT(covariance(0, 0), 0.0);
     EXPECT_EQ(covariance(1, 1), 0.0);
+}
+
+TEST(IdentifyMotion, leavesTheMotionBelowTheUsableSpeedOut) {
+    IdentifyConfig config;
+    config.usableSpeed_rad_s = 4.5;
+    EXPECT_EQ(segmentConfigOf(config).slowest_rad_s, 4.5);
+    IdentifyFits fits;
+    ASSERT_TRUE(fitTransients({}, {}, {}, config, {}, fits));
+    EXPECT_FALSE(fits.motion);
+    EXPECT_FALSE(fits.motionProblem.empty());
 }
 
 TEST(IdentifyFrictionLaw, saysThatNoKnownLawFits) {
