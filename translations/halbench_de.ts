@@ -6758,6 +6758,10 @@
         <source>model inadequate: friction depends on the speed as no known law does</source>
         <translation>Modell unzureichend: die Reibung hängt von der Drehzahl ab wie nach keinem bekannten Gesetz</translation>
     </message>
+    <message>
+        <source>the motion does not tell the forces apart</source>
+        <translation>die Bewegung unterscheidet die Kräfte nicht</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

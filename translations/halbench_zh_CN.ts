@@ -6758,6 +6758,10 @@
         <source>model inadequate: friction depends on the speed as no known law does</source>
         <translation>模型不充分：摩擦随转速的变化不符合任何已知规律</translation>
     </message>
+    <message>
+        <source>the motion does not tell the forces apart</source>
+        <translation>运动无法区分这些力</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
