@@ -3944,7 +3944,7 @@
     </message>
     <message>
         <source>the board&apos;s {} may still be {} instead of {} ms, as before it was armed: {}</source>
-        <translation>{} der Platine ist vielleicht noch {} statt {} ms wie vor dem Scharfschalten: {}</translation>
+        <translation>{} des Steuergeräts ist vielleicht noch {} statt {} ms wie vor der Freigabe: {}</translation>
     </message>
     <message>
         <source>damping is undecided: between zero and {} % of the torque at the lowest frequency</source>
@@ -3956,15 +3956,15 @@
     </message>
     <message>
         <source>the board&apos;s clock started again: how much time lies before that row is not known</source>
-        <translation>die Uhr der Platine begann neu: wie viel Zeit vor dieser Zeile liegt, ist nicht bekannt</translation>
+        <translation>die Uhr des Steuergeräts begann neu: wie viel Zeit vor dieser Zeile liegt, ist nicht bekannt</translation>
     </message>
     <message>
         <source>look whether the board was reset; the recording has a gap there</source>
-        <translation>prüfen, ob die Platine zurückgesetzt wurde; die Aufzeichnung hat dort eine Lücke</translation>
+        <translation>prüfen, ob das Steuergerät zurückgesetzt wurde; die Aufzeichnung hat dort eine Lücke</translation>
     </message>
     <message>
         <source>the board ran firmware &apos;{}&apos;, but its description was of &apos;{}&apos;: names may have led to wrong values</source>
-        <translation>die Platine lief mit Firmware „{}“, ihre Beschreibung war von „{}“: Namen können zu falschen Werten geführt haben</translation>
+        <translation>das Steuergerät lief mit Firmware „{}“, ihre Beschreibung war von „{}“: Namen können zu falschen Werten geführt haben</translation>
     </message>
     <message>
         <source>record it again with the description of this firmware</source>
@@ -5424,7 +5424,7 @@
     </message>
     <message>
         <source>the generator of this board makes neither multisine nor chirp</source>
-        <translation>der Generator dieser Platine erzeugt weder Multisinus noch Chirp</translation>
+        <translation>der Generator dieses Steuergeräts erzeugt weder Multisinus noch Chirp</translation>
     </message>
     <message>
         <source>sweeps from {} to {} Hz, {} of {}</source>
@@ -6504,7 +6504,7 @@
     </message>
     <message>
         <source>turn the sign of one of the two on the board and measure again</source>
-        <translation>drehen Sie auf der Platine eines der beiden Vorzeichen um und messen Sie erneut</translation>
+        <translation>drehen Sie am Steuergerät eines der beiden Vorzeichen um und messen Sie erneut</translation>
     </message>
     <message>
         <source>the interval of phi/J reaches zero</source>
@@ -6528,7 +6528,7 @@
     </message>
     <message>
         <source>turn the sign of one of the two columns (or of the command on the board) and identify again</source>
-        <translation>drehen Sie das Vorzeichen einer der beiden Spalten (oder des Befehls auf der Platine) um und identifizieren Sie erneut</translation>
+        <translation>drehen Sie das Vorzeichen einer der beiden Spalten (oder des Befehls am Steuergerät) um und identifizieren Sie erneut</translation>
     </message>
     <message>
         <source>a friction below zero came out, which no motor has</source>
@@ -6716,7 +6716,7 @@
     </message>
     <message>
         <source>calibrate the sensors; look for a delay that the board does not tell</source>
-        <translation>kalibrieren Sie die Sensoren; suchen Sie eine Totzeit, die das Board nicht nennt</translation>
+        <translation>kalibrieren Sie die Sensoren; suchen Sie eine Totzeit, die das Steuergerät nicht nennt</translation>
     </message>
     <message>
         <source>the intervals do not hold that error: use the speeds that matter, warm the bearings up first, and look at the residuals</source>
