@@ -19,6 +19,13 @@
 namespace halbench::app {
 namespace {
 
+/// A program as a terminal starts it, although what runs the tests may ignore the end of its terminal
+/// (nohup).
+class ProcessOfTerminal : public QProcess {
+protected:
+    void setupChildProcess() override { ::signal(SIGHUP, SIG_DFL); }
+};
+
 /// `halbench --connect DEVICE --project FILE`: the real program beside this window, and its arguments.
 class WindowProgramTest : public WindowTest {
 protected:
@@ -154,7 +161,7 @@ TEST_F(WindowProgramTest, eachSignalThatEndsProgramsEndsTheWindowWithItsCode) {
         board.start(HALBENCH_PROGRAM, {"serve", "sim:htm", "--pty"});
         ASSERT_TRUE(board.waitForReadyRead(Patience_ms));
         const QString node = QString::fromUtf8(board.readLine()).trimmed().section("pty:", 1);
-        QProcess program;
+        ProcessOfTerminal program;
         program.start(HALBENCH_PROGRAM, {"--connect", "serial:" + node});
         ASSERT_TRUE(wait([&] { return hasOpen(program, node); }));
         ::kill(static_cast<pid_t>(program.processId()), signal);
