@@ -1,6 +1,7 @@
 #include "app/session/device_session.h"
 
 #include "app/session/farewell.h"
+#include "devices/open/open_device.h"
 #include "devices/open/remembered_port.h"
 
 #include <QtCore/QLocale>

@@ -5,7 +5,7 @@
 #include "app/session/gui_queue.h"
 #include "app/session/shared_device.h"
 #include "devices/acquisition/display_inbox.h"
-#include "devices/open/open_device.h"
+#include "devices/device_options.h"
 
 #include <QtCore/QObject>
 #include <QtCore/QString>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
-#include "devices/open/open_device.h"
+#include "devices/device_options.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "devices/device.h"
+#include "devices/device_options.h"
 #include "devices/device_uri.h"
-#include "devices/open/open_device.h"
 #include "devices/simulated/simulated_board.h"
 
 #include <cstdint>
