@@ -6,7 +6,6 @@
 #include "control/law/shaped_delta.h"
 #include "control/lti/riccati.h"
 #include "control/lti/state_space.h"
-#include "control/robustness/drawn_verdicts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,11 +52,6 @@ Result<double> noiseGain(const PositionPlant& plant, const ShapedLaw& law, const
     return std::sqrt((noise->C * X * noise->C.transpose() + noise->D * noise->D.transpose()).value());
 }
 
-bool isStableWith(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
-    const auto radius = shapedPoleRadius(plant, law, timing);
-    return radius && *radius < 1.0;
-}
-
 /// In the parallel form, so that single gains may be changed.
 Result<ShapedLaw> inParallelForm(ShapedLaw law, double period_s) {
     const auto gains = checkedGains(law, period_s);
@@ -66,11 +60,6 @@ Result<ShapedLaw> inParallelForm(ShapedLaw law, double period_s) {
     }
     law.gains = *gains;
     return law;
-}
-
-DrawnVerdict verdictOf(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing) {
-    const auto loop = deltaOpenLoop(plant, law, timing);
-    return loop ? drawnVerdict(isStableWith(plant, law, timing), smallestMargins(*loop)) : noMotor();
 }
 
 } // namespace
@@ -147,26 +136,6 @@ Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law
     proof.fastGain_A_per_rad = *fast_A;
     proof.proportionalLimit_A_per_rad = *limit_A;
     return proof;
-}
-
-Result<Robustness> assessShaped(const UncertainPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
-                                int draws, Random random) {
-    if (const auto valid = checkTiming(timing); !valid) {
-        return failure(valid.error());
-    }
-    if (const auto gains = checkedGains(law, timing.period_s); !gains) {
-        return failure(gains.error());
-    }
-    const auto plants = drawPlants(plant, draws, random);
-    if (!plants) {
-        return failure(plants.error());
-    }
-    std::vector<DrawnVerdict> verdicts;
-    verdicts.reserve(plants->size());
-    for (const PositionPlant& drawn : *plants) {
-        verdicts.push_back(verdictOf(drawn, law, timing));
-    }
-    return robustnessOf(verdicts, isUncertain(plant));
 }
 
 } // namespace halbench::control

@@ -3,7 +3,6 @@
 #include "control/assess/load_step.h"
 #include "control/assess/proof.h"
 #include "control/law/shaped_law.h"
-#include "control/robustness/robustness.h"
 
 #include <complex>
 #include <functional>
@@ -44,9 +43,5 @@ Result<double> shapedProportionalLimit_A_per_rad(const PositionPlant& plant, con
 /// Refused, as of `proveDesign`.
 Result<DesignProof> proveShaped(const PositionPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
                                 double currentLimit_A, double duration_s = 2.0);
-
-/// `assessRobustness` over the same draws, one motor after the other: about a second for a thousand.
-Result<Robustness> assessShaped(const UncertainPlant& plant, const ShapedLaw& law, const LoopTiming& timing,
-                                int draws, Random random);
 
 } // namespace halbench::control

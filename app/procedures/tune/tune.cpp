@@ -5,6 +5,7 @@
 #include "control/assess/shaped_loop.h"
 #include "control/base/random.h"
 #include "control/law/board_gains.h"
+#include "control/robustness/shaped_robustness.h"
 
 #include <fmt/format.h>
 

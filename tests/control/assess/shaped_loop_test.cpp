@@ -3,7 +3,6 @@
 #include "control/law/gain_limit.h"
 #include "control/law/shaped_controller.h"
 #include "control/lti/responses.h"
-#include "control/robustness/drawn_verdicts.h"
 #include "tests/control/published_motor.h"
 #include "tests/control/shaped_example.h"
 
@@ -164,39 +163,6 @@ TEST(ShapedLoop, theLimitOfTheProportionalGainIsWhereTheLoopBreaks) {
     EXPECT_GT(radius(1.001), 1.0);
 }
 
-UncertainPlant uncertain() {
-    UncertainPlant result;
-    result.mean = Eigen::Vector2d(2.2363636, 26.0);
-    result.covariance = Eigen::MatrixXd::Zero(2, 2);
-    result.covariance(1, 1) = std::pow(26.0 * 0.1, 2);
-    result.toPlant = [](const Eigen::VectorXd& p) { return PositionPlant{p(0), p(1), 1.4336}; };
-    return result;
-}
-
-// The same draws, judged one by one and all together: what each finds it narrows to rounding.
-TEST(ShapedLoop, withNothingShapedFaresAsTheBoardsLawOverTheDraws) {
-    const auto board = assessRobustness(uncertain(), lively(), OneLate, 1000, Random(3));
-    const auto own = assessShaped(uncertain(), of(lively()), OneLate, 1000, Random(3));
-    ASSERT_TRUE(board && own);
-    EXPECT_EQ(own->draws, board->draws);
-    EXPECT_EQ(own->unstable_fraction, board->unstable_fraction);
-    EXPECT_NEAR(own->gainMargin_ratio_p5 / board->gainMargin_ratio_p5, 1.0, 1e-6);
-    EXPECT_NEAR(own->phaseMargin_deg_p5 / board->phaseMargin_deg_p5, 1.0, 1e-6);
-    ASSERT_TRUE(own->modulusMargin && board->modulusMargin);
-    EXPECT_NEAR(own->modulusMargin->p5 / board->modulusMargin->p5, 1.0, 1e-6);
-}
-
-// At the limit of K_P half of the motors are stronger than the loop bears.
-TEST(ShapedLoop, halfOfTheMotorsAreUnstableAtTheLimit) {
-    ShapedLaw law;
-    law.filters = {LowPassFilter{150.0, 1}};
-    law.gains.proportional = 1.0;
-    law.gains.proportional = proveShaped(published(), law, NoDelay, Limit_A)->proportionalLimit_A_per_rad;
-    const auto robust = assessShaped(uncertain(), law, NoDelay, 1000, Random(3));
-    ASSERT_TRUE(robust);
-    EXPECT_NEAR(robust->unstable_fraction, 0.5, 4.0 * 0.5 / std::sqrt(1000.0)); // 4 sigma of the counting
-}
-
 TEST(ShapedLoop, badInputsAreRefused) {
     EXPECT_FALSE(proveShaped(published(), shaped(), NoDelay, 0.0));
     EXPECT_FALSE(proveShaped({1.0, -1.0, 0.0}, shaped(), NoDelay, Limit_A));
@@ -205,8 +171,6 @@ TEST(ShapedLoop, badInputsAreRefused) {
     law.proportionalWeight = 2.0;
     EXPECT_FALSE(proveShaped(published(), law, NoDelay, Limit_A));
     EXPECT_FALSE(ShapedController::make(law, 0.01));
-    EXPECT_FALSE(assessShaped(uncertain(), law, NoDelay, 1000, Random(3)));
-    EXPECT_FALSE(assessShaped(uncertain(), shaped(), NoDelay, 10, Random(3)));
 }
 
 } // namespace
