@@ -25,7 +25,7 @@ namespace halbench::app {
 /// A move with what ran it: the law on the board, for the report's ideal loop.
 struct MoveOutcome {
     MoveConfig config;
-    models::PositionLaw law;
+    control::SampledPositionLaw law;
     MoveResult result; ///< of a repeated move: the last run
     std::optional<MoveRepetition> repetition;
 };

@@ -19,7 +19,7 @@ namespace {
 /// What the plan knows at one step: the law that will run then and how warm the coils will be.
 class Planner {
 public:
-    Planner(devices::Device& device, const models::PositionLaw& law, const CoilTemperatures& start)
+    Planner(devices::Device& device, const control::SampledPositionLaw& law, const CoilTemperatures& start)
         : m_device(device), m_motor(knownMotor(device.info()).value_or(KnownMotor{})), m_law(law),
           m_coils(start) {}
 
@@ -167,7 +167,7 @@ private:
 
     devices::Device& m_device;
     KnownMotor m_motor;
-    models::PositionLaw m_law;
+    control::SampledPositionLaw m_law;
     CoilTemperatures m_coils;
 };
 
@@ -181,7 +181,7 @@ Result<RunPlan> planRun(const Experiment& experiment, devices::Device& device) {
     if (!coils) {
         return failure(coils.error());
     }
-    const Result<models::PositionLaw> law = readPositionLaw(device);
+    const Result<control::SampledPositionLaw> law = readPositionLaw(device);
     if (!law) {
         return failure(law.error());
     }

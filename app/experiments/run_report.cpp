@@ -20,7 +20,7 @@ namespace {
 /// The ideal loop of the same law under the same reference, where both have an ideal form.
 std::optional<models::IdealTrace> idealTrace(const MoveOutcome& move,
                                              const std::optional<KnownMotor>& motor) {
-    const std::optional<models::LoopReference> reference = idealReference(move.config.reference);
+    const std::optional<control::LoopReference> reference = idealReference(move.config.reference);
     if (!reference || !motor) {
         return std::nullopt;
     }

@@ -50,7 +50,7 @@ Result<void> checkFrequency(const ExperimentStep& step, const devices::Catalogue
     if (!able) {
         return at(step.keys, able.error());
     }
-    const auto plan = planFrequency(config, frequencyMargins(catalogue, models::PositionLaw{}));
+    const auto plan = planFrequency(config, frequencyMargins(catalogue, control::SampledPositionLaw{}));
     return plan ? Result<void>() : at(step.keys, plan.error());
 }
 

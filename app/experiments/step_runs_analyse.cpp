@@ -44,7 +44,7 @@ Result<MotorAnalysis> sensingAnalysis(StepRun&, const ExperimentStep& step,
 
 Result<MotorAnalysis> polesAnalysis(StepRun& run, const ExperimentStep& step,
                                     const models::HtmParameters& motor) {
-    const Result<models::PositionLaw> law = readPositionLaw(run.device);
+    const Result<control::SampledPositionLaw> law = readPositionLaw(run.device);
     if (!law) {
         return failure(law.error());
     }

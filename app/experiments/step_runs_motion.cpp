@@ -47,7 +47,7 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     if (!config) {
         return failure(config.error());
     }
-    const Result<models::PositionLaw> law = readPositionLaw(run.device);
+    const Result<control::SampledPositionLaw> law = readPositionLaw(run.device);
     if (!law) {
         return failure(law.error());
     }

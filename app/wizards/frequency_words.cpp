@@ -74,7 +74,7 @@ widgets::EstimateRow rotorRow(const QString& name, const control::Estimate& esti
 
 FrequencyMargins frequencyOutlookMargins(const devices::Catalogue& catalogue,
                                          const std::map<std::string, double>& deviceValues) {
-    models::PositionLaw law;
+    control::SampledPositionLaw law;
     int delay_samples = law.delaySamples;
     const auto take = [&](const char* role, auto& target) {
         const auto found = deviceValues.find(catalogue.parameterForRole(role));

@@ -1,9 +1,8 @@
 #include "models/htm/htm_ideal_loop.h"
 
+#include "control/assess/loop_rows.h"
 #include "control/base/assert.h"
 #include "control/base/units.h"
-#include "models/plants/loop_rows.h"
-#include "models/plants/position_law_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,55 +21,27 @@ void appendRow(IdealTrace& trace, double time_s, const RotorState& rotor, double
 
 } // namespace
 
-ReferencePoint evaluateReference(const LoopReference& reference, double time_s) {
-    switch (reference.shape) {
-    case LoopReference::Shape::Step:
-        return {reference.amplitude_rad, 0.0, 0.0};
-    case LoopReference::Shape::Ramp: {
-        const double reached_rad = reference.rate_rad_s * time_s;
-        const double end_rad = std::fabs(reference.amplitude_rad);
-        if (end_rad > 0.0 && std::fabs(reached_rad) >= end_rad) {
-            return {std::copysign(end_rad, reference.rate_rad_s), 0.0, 0.0};
-        }
-        return {reached_rad, reference.rate_rad_s, 0.0};
-    }
-    case LoopReference::Shape::Sine: {
-        const double omega_rad_s = 2.0 * Pi * reference.frequency_Hz;
-        const double sine = std::sin(omega_rad_s * time_s);
-        return {reference.amplitude_rad * sine,
-                reference.amplitude_rad * omega_rad_s * std::cos(omega_rad_s * time_s),
-                -reference.amplitude_rad * omega_rad_s * omega_rad_s * sine};
-    }
-    case LoopReference::Shape::Staircase: {
-        const double steps =
-            1.0 + std::floor(time_s / reference.period_s + 1e-9); // exact multiples count as begun
-        return {reference.amplitude_rad * std::min(steps, static_cast<double>(reference.count)), 0.0, 0.0};
-    }
-    }
+control::SampledPositionLaw publishedLaw() {
     return {};
 }
 
-PositionLaw publishedLaw() {
-    return {};
-}
-
-PositionLaw microStepLaw() {
-    PositionLaw law;
+control::SampledPositionLaw microStepLaw() {
+    control::SampledPositionLaw law;
     law.kp_A_per_rad = 5.0 * 180.0 / Pi;
     law.ki_A_per_rad_s = 0.05 * 180.0 / Pi;
     return law;
 }
 
-PositionLaw publishedInDegreesLaw() {
-    PositionLaw law;
+control::SampledPositionLaw publishedInDegreesLaw() {
+    control::SampledPositionLaw law;
     law.kp_A_per_rad = 10.0 * 180.0 / Pi;
     law.ki_A_per_rad_s = 0.1 * 180.0 / Pi;
     return law;
 }
 
-PositionLaw recommendedLaw(const RotorConfig& rotor, double torqueConstant_Nm_per_A) {
+control::SampledPositionLaw recommendedLaw(const RotorConfig& rotor, double torqueConstant_Nm_per_A) {
     const double friction_A = 0.9 * rotor.coulombFriction_Nm / torqueConstant_Nm_per_A;
-    PositionLaw law;
+    control::SampledPositionLaw law;
     law.kp_A_per_rad = 40.0;
     law.ki_A_per_rad_s = 60.0;
     law.kd_As_per_rad = 1.4;
@@ -82,18 +53,28 @@ PositionLaw recommendedLaw(const RotorConfig& rotor, double torqueConstant_Nm_pe
     return law;
 }
 
+std::function<double(double, double)> rotorAtRest(const RotorConfig& rotor, double torqueConstant_Nm_per_A,
+                                                  double friction_ratio) {
+    RotorState state;
+    state.friction_ratio = friction_ratio;
+    return [rotor, torqueConstant_Nm_per_A, state](double current_A, double duration_s) mutable {
+        stepRotor(rotor, state, torqueConstant_Nm_per_A * current_A, duration_s);
+        return state.angle_rad;
+    };
+}
+
 IdealTrace runIdealLoop(const IdealLoopConfig& config) {
     HB_ASSERT(config.subStepsPerMillisecond > 0);
-    const LoopRows rows(config.law.period_s);
+    const control::LoopRows rows(config.law.period_s);
     const long last = std::lround(config.duration_s / rows.interval_s());
-    PositionLawState law(config.law);
+    control::PositionLawState law(config.law);
     RotorState rotor;
     rotor.angle_rad = config.initialAngle_rad;
     double current_A = 0.0;
     IdealTrace trace;
     for (long row = 0; row <= last; ++row) {
         const double time_s = rows.time_s(row);
-        const ReferencePoint reference = evaluateReference(config.reference, time_s);
+        const control::ReferencePoint reference = control::evaluateReference(config.reference, time_s);
         if (row % rows.perPeriod() == 0) {
             const double angle_rad = rotor.angle_rad - config.initialAngle_rad;
             current_A =

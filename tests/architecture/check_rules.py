@@ -22,17 +22,17 @@ def theme(text, background="#ffffff", **more):
 # rule: (wrong trees, right trees)
 SAMPLES = {
     "allowed_includes": (
-        [{"control/base/a.h": '#include "models/plants/p.h"\n'}, {"control/signals/a.cpp": '#include "control/lti/t.h"\n'},
+        [{"control/base/a.h": '#include "models/fields/p.h"\n'}, {"control/signals/a.cpp": '#include "control/lti/t.h"\n'},
          {"widgets/a.h": '  #  include "devices/device.h"\n'}, {"widgets/a.h": '#include "devices/transport/transport.h"\n'},
          {"app/procedures/a.cpp": '#include "devices/xcp/xcp_master.h"\n'},
          {"app/procedures/a.cpp": '#include "app/cli/a.h"\n'}, {"devices/firmware/a.c": '#include "control/base/a.h"\n'},
-         {"models/fields/a.h": '#include "models/plants/p.h"\n'}, {"devices/device.h": '#include "app/cli/a.h"\n'},
+         {"models/fields/a.h": '#include "models/htm/p.h"\n'}, {"devices/device.h": '#include "app/cli/a.h"\n'},
          {"devices/xcp/a.cpp": '#include "devices/transport/tcp_transport.h"\n'}],
         [{"control/design/a.h": '#include "control/lti/t.h"\n#include <vector>\n'},
-         {"app/procedures/a.cpp": '#include "devices/device.h"\n'}, {"devices/simulated/a.h": '#include "models/plants/p.h"\n'},
+         {"app/procedures/a.cpp": '#include "devices/device.h"\n'}, {"devices/simulated/a.h": '#include "models/fields/p.h"\n'},
          {"tests/x/a.cpp": '#include "app/cli/a.h"\n'}]),
     "allowed_qt": (
-        [{"control/base/a.h": "#include <QtCore/QString>\n"}, {"models/plants/a.cpp": "#include <QString>\n"},
+        [{"control/base/a.h": "#include <QtCore/QString>\n"}, {"models/fields/a.cpp": "#include <QString>\n"},
          {"devices/xcp/packets.cpp": "#include <QtCore/QFile>\n"}, {"devices/firmware/a.c": "#include <QtCore/QFile>\n"},
          {"app/procedures/a.cpp": "#include <QtWidgets/QWidget>\n"}, {"app/cli/a.cpp": "#include <QWidget>\n"},
          {"devices/acquisition/a.cpp": "#include <qwt_plot.h>\n"}],

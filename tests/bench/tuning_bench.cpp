@@ -37,10 +37,9 @@ MotorEstimate motor() {
 /// A verification move of 3 s, as the window has one while the gains are shaped after an apply.
 std::shared_ptr<const WhatIfBasis> verifiedMove() {
     const control::PositionLaw ran = *control::designLaw("published", *plantFromEstimate(motor()), {}, {});
-    const std::vector<models::ReferencePoint> reference(1, {0.5, 0.0, 0.0});
+    const std::vector<control::ReferencePoint> reference(1, {0.5, 0.0, 0.0});
     const RunMotor measured{*plantFromEstimate(motor()), 1.0, 1.0};
-    const models::LoopReplay seen =
-        models::replayLoop(replayOf(measured, *simulatedLaw(ran, {}), reference, 3001));
+    const control::LoopReplay seen = replayRun(measured, {*simulatedLaw(ran, {}), reference, {}, 3001});
     const RecordedMove move{std::vector<double>(3001, 0.5), seen.angle_rad, seen.current_A};
     return std::make_shared<const WhatIfBasis>(*prepareWhatIf({move, ran, {}, motor(), {1000, 1}}));
 }

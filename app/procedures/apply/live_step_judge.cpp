@@ -35,8 +35,8 @@ Result<void> admit(const TuneResult& judged, const StepNumber& step) {
         "nothing was written; choose gains with larger margins, or identify more precisely");
 }
 
-std::vector<models::ReferencePoint> stepReference(const LiveApplyConfig& config) {
-    return {1, models::ReferencePoint{config.amplitude_rad, 0.0, 0.0}};
+std::vector<control::ReferencePoint> stepReference(const LiveApplyConfig& config) {
+    return {1, control::ReferencePoint{config.amplitude_rad, 0.0, 0.0}};
 }
 
 Result<MotionBand> bandOf(const PositionLaw& law, const std::vector<RunMotor>& motors,

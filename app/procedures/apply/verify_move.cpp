@@ -13,7 +13,7 @@ namespace halbench::app {
 namespace {
 
 Result<models::IdealTrace> predict(const ApplyVerification& verification, const control::PositionPlant& plant,
-                                   const models::PositionLaw& law) {
+                                   const control::SampledPositionLaw& law) {
     const auto reference = idealReference(verification.reference);
     if (!reference) {
         return failure(ErrorCode::InvalidInput,
@@ -33,7 +33,7 @@ Result<models::IdealTrace> predict(const ApplyVerification& verification, const 
 }
 
 // Where friction holds the rotor against the gains depends on how it got there: no prediction can say it.
-double frictionBand_rad(const control::PositionPlant& plant, const models::PositionLaw& law) {
+double frictionBand_rad(const control::PositionPlant& plant, const control::SampledPositionLaw& law) {
     constexpr double StaticFriction_ratio = 1.15; // resources/help/htm-theory.md section 9
     return law.kp_A_per_rad > 0.0
                ? control::frictionBand_rad(StaticFriction_ratio * plant.breakawayCurrent_A, law.kp_A_per_rad,
@@ -120,7 +120,7 @@ Result<MotorEstimate> withUncertainty(const MotorEstimate& motor) {
 }
 
 /// Where the motion of this law may lie; of a reference that has a prediction.
-Result<MotionBand> bandOf(const ApplyVerification& verification, const models::PositionLaw& law) {
+Result<MotionBand> bandOf(const ApplyVerification& verification, const control::SampledPositionLaw& law) {
     if (verification.band) {
         return *verification.band;
     }
@@ -129,10 +129,10 @@ Result<MotionBand> bandOf(const ApplyVerification& verification, const models::P
     if (!motors) {
         return failure(motors.error());
     }
-    const models::LoopReference reference = *idealReference(verification.reference);
-    std::vector<models::ReferencePoint> points;
+    const control::LoopReference reference = *idealReference(verification.reference);
+    std::vector<control::ReferencePoint> points;
     for (int i = 0; i * law.period_s <= verification.duration_s; ++i) {
-        points.push_back(models::evaluateReference(reference, i * law.period_s));
+        points.push_back(control::evaluateReference(reference, i * law.period_s));
     }
     const auto rows = static_cast<std::size_t>(std::lround(1e3 * verification.duration_s)) + 1;
     return expectedMotion(*motors, law, points, rows);

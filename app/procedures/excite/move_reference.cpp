@@ -290,25 +290,25 @@ std::vector<ParameterValue> generatorParameters(const MoveReference& reference, 
             {"reference.seed", static_cast<double>(reference.seed)}};
 }
 
-std::optional<models::LoopReference> idealReference(const MoveReference& reference) {
+std::optional<control::LoopReference> idealReference(const MoveReference& reference) {
     using Shape = MoveReference::Shape;
-    models::LoopReference ideal{models::LoopReference::Shape::Step,
-                                reference.amplitude_rad,
-                                reference.rate_rad_s,
-                                reference.frequency_Hz,
-                                reference.period_s,
-                                reference.count};
+    control::LoopReference ideal{control::LoopReference::Shape::Step,
+                                 reference.amplitude_rad,
+                                 reference.rate_rad_s,
+                                 reference.frequency_Hz,
+                                 reference.period_s,
+                                 reference.count};
     switch (reference.shape) {
     case Shape::Step:
         break;
     case Shape::Ramp:
-        ideal.shape = models::LoopReference::Shape::Ramp;
+        ideal.shape = control::LoopReference::Shape::Ramp;
         break;
     case Shape::Sine:
-        ideal.shape = models::LoopReference::Shape::Sine;
+        ideal.shape = control::LoopReference::Shape::Sine;
         break;
     case Shape::Staircase:
-        ideal.shape = models::LoopReference::Shape::Staircase;
+        ideal.shape = control::LoopReference::Shape::Staircase;
         break;
     case Shape::Chirp:
     case Shape::Multisine:

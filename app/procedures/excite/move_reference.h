@@ -56,6 +56,6 @@ std::optional<double> referenceAt_rad(const MoveReference& reference, double tim
 /// Values of the board's generator parameters, reference.start not included.
 std::vector<ParameterValue> generatorParameters(const MoveReference& reference, double duration_s);
 /// The same reference for the ideal loop; nothing for chirp and multisine or when base is not zero.
-std::optional<models::LoopReference> idealReference(const MoveReference& reference);
+std::optional<control::LoopReference> idealReference(const MoveReference& reference);
 
 } // namespace halbench::app

@@ -22,7 +22,8 @@ Result<void> checkFrequencyBoard(const devices::Catalogue& catalogue, const Freq
                    "use a stepped sine");
 }
 
-FrequencyMargins frequencyMargins(const devices::Catalogue& catalogue, const models::PositionLaw& law) {
+FrequencyMargins frequencyMargins(const devices::Catalogue& catalogue,
+                                  const control::SampledPositionLaw& law) {
     FrequencyMargins margins;
     margins.law = law;
     const auto period = catalogue.knownConstants.find("T_s");

@@ -8,7 +8,8 @@ namespace halbench::app {
 Result<void> checkFrequencyBoard(const devices::Catalogue& catalogue, const FrequencyConfig& config);
 
 /// The loop of this law on this device; as the plant the published motor, roughly.
-FrequencyMargins frequencyMargins(const devices::Catalogue& catalogue, const models::PositionLaw& law);
+FrequencyMargins frequencyMargins(const devices::Catalogue& catalogue,
+                                  const control::SampledPositionLaw& law);
 
 /// The same with the law that the board runs. Errors: of the device; Refused for a law that is no set of
 /// gains.

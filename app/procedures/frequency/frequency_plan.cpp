@@ -327,7 +327,8 @@ void schedule(FrequencyStage& stage, const FrequencyConfig& config, const Rows& 
 
 } // namespace
 
-std::complex<double> lawResponse(const models::PositionLaw& law, double period_s, double frequency_rad_s) {
+std::complex<double> lawResponse(const control::SampledPositionLaw& law, double period_s,
+                                 double frequency_rad_s) {
     const Complex z = std::polar(1.0, frequency_rad_s * period_s);
     return law.kp_A_per_rad + period_s * law.ki_A_per_rad_s / (z - 1.0) +
            law.kd_As_per_rad * (z - 1.0) / (period_s * z);

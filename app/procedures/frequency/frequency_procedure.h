@@ -61,8 +61,8 @@ struct FrequencyResult {
     FrequencyConfig config;
     double turn_rad_s = 0.0; ///< base speed as used, signed
     std::vector<FrequencyBand> bands;
-    double period_s = 0.01;  ///< of the position loop
-    models::PositionLaw law; ///< that ran meanwhile
+    double period_s = 0.01;          ///< of the position loop
+    control::SampledPositionLaw law; ///< that ran meanwhile
     std::vector<FrequencyResultPoint> points;
     control::MeasuredMargins margins;
     std::optional<control::FrequencyFit> fit;

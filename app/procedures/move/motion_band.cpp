@@ -2,6 +2,7 @@
 
 #include "control/base/random.h"
 #include "control/robustness/percentiles.h"
+#include "models/htm/htm_ideal_loop.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -51,19 +52,14 @@ Result<std::vector<RunMotor>> bandMotors(const MotorEstimate& estimate, const Un
     return motors;
 }
 
-models::LoopReplayConfig replayOf(const RunMotor& motor, const models::PositionLaw& law,
-                                  std::span<const models::ReferencePoint> reference, std::size_t rows) {
-    models::LoopReplayConfig config;
-    config.rotor.inertia_kg_m2 = 1.0;
-    config.rotor.viscousDamping_Nm_s = motor.plant.dampingRate_1_s;
-    config.rotor.coulombFriction_Nm = motor.plant.breakawayCurrent_A * motor.plant.accelerationGain_rad_s2_A;
-    config.rotor.staticFriction_ratio = motor.static_ratio;
-    config.torqueConstant_Nm_per_A = motor.plant.accelerationGain_rad_s2_A;
-    config.law = law;
-    config.friction_ratio = motor.friction_ratio;
-    config.reference = reference;
-    config.rows = rows;
-    return config;
+control::LoopReplay replayRun(const RunMotor& motor, const control::LoopReplayConfig& config) {
+    models::RotorConfig rotor;
+    rotor.inertia_kg_m2 = 1.0;
+    rotor.viscousDamping_Nm_s = motor.plant.dampingRate_1_s;
+    rotor.coulombFriction_Nm = motor.plant.breakawayCurrent_A * motor.plant.accelerationGain_rad_s2_A;
+    rotor.staticFriction_ratio = motor.static_ratio;
+    return control::replayLoop(
+        config, models::rotorAtRest(rotor, motor.plant.accelerationGain_rad_s2_A, motor.friction_ratio));
 }
 
 MotionBand motionBand(const std::vector<RunMotor>& motors, std::size_t rows,
@@ -88,12 +84,12 @@ MotionBand motionBand(const std::vector<RunMotor>& motors, std::size_t rows,
     return band;
 }
 
-MotionBand expectedMotion(const std::vector<RunMotor>& motors, const models::PositionLaw& law,
-                          std::span<const models::ReferencePoint> reference, std::size_t rows) {
+MotionBand expectedMotion(const std::vector<RunMotor>& motors, const control::SampledPositionLaw& law,
+                          std::span<const control::ReferencePoint> reference, std::size_t rows) {
     constexpr double Widening_ratio = 2.0; // about its middle: one motion in a thousand leaves it
     constexpr double Tolerance_rad = 0.03; // and what no model holds: resolution, stray field, a count
     const MotionBand band = motionBand(motors, rows, [&](const RunMotor& motor) {
-        return models::replayLoop(replayOf(motor, law, reference, rows)).angle_rad;
+        return replayRun(motor, {law, reference, {}, rows}).angle_rad;
     });
     return widened(band, Widening_ratio, Tolerance_rad);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/procedures/tune/loop_uncertainty.h"
-#include "models/plants/loop_replay.h"
+#include "control/assess/loop_replay.h"
 
 #include <cstddef>
 #include <functional>
@@ -31,9 +31,8 @@ Result<std::vector<RunMotor>> drawRuns(const MotorEstimate& estimate, const Unce
 /// As many of them as a band of motions is made of. Errors: as of drawRuns().
 Result<std::vector<RunMotor>> bandMotors(const MotorEstimate& estimate, const UncertaintyDraws& draws);
 
-/// What replayLoop() needs of a motor: only its ratios count.
-models::LoopReplayConfig replayOf(const RunMotor& motor, const models::PositionLaw& law,
-                                  std::span<const models::ReferencePoint> reference, std::size_t rows);
+/// The motor at rest in the loop of `config`: only its ratios count.
+control::LoopReplay replayRun(const RunMotor& motor, const control::LoopReplayConfig& config);
 
 /// Where nine tenths of the motions lie, point by point, MotionBandStride milliseconds apart.
 struct MotionBand {
@@ -46,8 +45,8 @@ MotionBand motionBand(const std::vector<RunMotor>& motors, std::size_t rows,
 
 /// Where a healthy motor's motion lies: the band of the motors, twice as wide, and 1.7 degrees more for what
 /// no model holds. `reference` as of replayLoop().
-MotionBand expectedMotion(const std::vector<RunMotor>& motors, const models::PositionLaw& law,
-                          std::span<const models::ReferencePoint> reference, std::size_t rows);
+MotionBand expectedMotion(const std::vector<RunMotor>& motors, const control::SampledPositionLaw& law,
+                          std::span<const control::ReferencePoint> reference, std::size_t rows);
 
 /// What holds both.
 MotionBand hullOf(const MotionBand& one, const MotionBand& other);

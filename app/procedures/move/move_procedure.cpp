@@ -277,7 +277,7 @@ MoveOutlook moveOutlook(const MoveConfig& config, const devices::Catalogue& cata
             Settle_s + config.duration_s + Tail_s};
 }
 
-MovePrediction predictMove(const MoveConfig& config, const models::PositionLaw& law,
+MovePrediction predictMove(const MoveConfig& config, const control::SampledPositionLaw& law,
                            const models::RotorConfig& motor, double torqueConstant_Nm_per_A) {
     constexpr double Margin_ratio =
         1.25; // of the current: friction scatter and a motor that is not quite this one

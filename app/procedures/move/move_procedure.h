@@ -68,7 +68,7 @@ struct MovePrediction {
 
 /// The ideal loop of a motor under this law, where the reference has an ideal form; else the current limit
 /// for the whole time. `motor` need not be known exactly: a quarter is added to the current.
-MovePrediction predictMove(const MoveConfig& config, const models::PositionLaw& law,
+MovePrediction predictMove(const MoveConfig& config, const control::SampledPositionLaw& law,
                            const models::RotorConfig& motor, double torqueConstant_Nm_per_A);
 
 /// How far and how long a move may go on this device: what performMove() sets, told before.

@@ -1,7 +1,7 @@
 #include "app/procedures/move/what_if.h"
 
 #include "app/procedures/tune/large_step.h"
-#include "models/plants/loop_rows.h"
+#include "control/assess/loop_rows.h"
 
 #include <fmt/format.h>
 
@@ -19,13 +19,13 @@ constexpr double NotExplained_ratio = 3.0;
 constexpr double NotableAmplification_ratio = 2.0;
 constexpr std::size_t MostMotors = 300; ///< of those drawn: the 5th percentile is known to 1.3 %
 
-std::vector<models::ReferencePoint> loopReference(const RecordedMove& move, double period_s) {
+std::vector<control::ReferencePoint> loopReference(const RecordedMove& move, double period_s) {
     const auto rowsPerPeriod = static_cast<std::size_t>(std::lround(period_s * 1e3));
     std::vector<double> value_rad;
     for (std::size_t row = 0; row < move.rows(); row += rowsPerPeriod) {
         value_rad.push_back(move.reference_rad[row]);
     }
-    return models::referencePoints(value_rad, period_s);
+    return control::referencePoints(value_rad, period_s);
 }
 
 /// The current that this motor needs beside the recorded one to move as it was recorded.
@@ -43,23 +43,23 @@ std::vector<double> disturbance_A(const MotionRemainder& remainder, const contro
 
 /// With the record's own disturbance; each motor needs another one, and two runs differ by the scatter of
 /// both.
-models::LoopReplay replayed(const WhatIfBasis& basis, const RunMotor& motor, const models::PositionLaw& law) {
+control::LoopReplay replayed(const WhatIfBasis& basis, const RunMotor& motor,
+                             const control::SampledPositionLaw& law) {
     const std::vector<double> disturbed_A = disturbance_A(basis.remainder, motor.plant);
-    models::LoopReplayConfig config = replayOf(motor, law, basis.reference, basis.config.move.rows());
-    config.disturbance_A = disturbed_A;
-    config.friction_ratio = 1.0 + std::sqrt(2.0) * (motor.friction_ratio - 1.0);
-    return models::replayLoop(config);
+    RunMotor scattered = motor;
+    scattered.friction_ratio = 1.0 + std::sqrt(2.0) * (motor.friction_ratio - 1.0);
+    return replayRun(scattered, {law, basis.reference, disturbed_A, basis.config.move.rows()});
 }
 
 /// What the identification alone says of the move, without the record.
-MotionBand identifiedBand(const WhatIfBasis& basis, const models::PositionLaw& law) {
+MotionBand identifiedBand(const WhatIfBasis& basis, const control::SampledPositionLaw& law) {
     const std::size_t rows = basis.config.move.rows();
     return motionBand(basis.motors, rows, [&](const RunMotor& motor) {
-        return models::replayLoop(replayOf(motor, law, basis.reference, rows)).angle_rad;
+        return replayRun(motor, {law, basis.reference, {}, rows}).angle_rad;
     });
 }
 
-void judgeRecord(WhatIfBasis& basis, const models::PositionLaw& ran) {
+void judgeRecord(WhatIfBasis& basis, const control::SampledPositionLaw& ran) {
     basis.explained = identifiedBand(basis, ran);
     const std::vector<double>& recorded_rad = basis.config.move.position_rad;
     basis.widening_ratio = neededWidening_ratio(basis.explained, recorded_rad, basis.resolution_rad());
@@ -86,7 +86,7 @@ void judgeRecord(WhatIfBasis& basis, const models::PositionLaw& ran) {
                        "choose a record of this motor with these gains"});
 }
 
-Result<models::PositionLaw> admitted(const WhatIfBasis& basis, const LoopLaw& proposed) {
+Result<control::SampledPositionLaw> admitted(const WhatIfBasis& basis, const LoopLaw& proposed) {
     if (proposed.shaped) {
         return failure(
             ErrorCode::Refused,
@@ -127,8 +127,8 @@ double amplification(const WhatIfBasis& basis, const control::PositionLaw& law) 
     return std::max(1.0, peak(law.gains) / peak(basis.config.ran.gains));
 }
 
-WhatIf nominal(const WhatIfBasis& basis, const models::PositionLaw& law) {
-    models::LoopReplay replay = replayed(basis, basis.identified, law);
+WhatIf nominal(const WhatIfBasis& basis, const control::SampledPositionLaw& law) {
+    control::LoopReplay replay = replayed(basis, basis.identified, law);
     return {std::move(replay.angle_rad), std::move(replay.current_A), {}, 1.0, basis.quality};
 }
 
@@ -159,7 +159,7 @@ MotionFigures motionFigures(const std::vector<double>& reference_rad, const std:
 }
 
 Result<WhatIfBasis> prepareWhatIf(WhatIfConfig config) {
-    if (const double period_s = config.conditions.timing.period_s; !models::isWholeMilliseconds(period_s)) {
+    if (const double period_s = config.conditions.timing.period_s; !control::isWholeMilliseconds(period_s)) {
         return failure(
             ErrorCode::Refused,
             fmt::format("a recorded move has rows of 1 ms and cannot be replayed through a loop of {:.6g} ms",

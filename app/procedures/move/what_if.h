@@ -23,7 +23,7 @@ struct WhatIfConfig {
 /// record, and what it leaves unexplained of it.
 struct WhatIfBasis {
     WhatIfConfig config;
-    std::vector<models::ReferencePoint> reference; ///< one a period of the loop
+    std::vector<control::ReferencePoint> reference; ///< one a period of the loop
     RunMotor identified;
     std::vector<RunMotor> motors; ///< drawn
     MotionRemainder remainder;

@@ -2,11 +2,11 @@
 
 #include "app/procedures/base/checked_range.h"
 #include "app/procedures/identify/identify_plan.h"
+#include "control/assess/loop_rows.h"
 #include "control/base/random.h"
 #include "control/base/units.h"
 #include "control/robustness/robustness.h"
 #include "models/htm/htm_ideal_loop.h"
-#include "models/plants/loop_rows.h"
 
 #include <fmt/format.h>
 
@@ -81,7 +81,7 @@ models::IdealTrace simulated(const control::PositionPlant& plant, const RelayPla
     config.law.limit_A = plan.limit_A;
     config.law.period_s = board.period_s;
     config.law.delaySamples = board.delaySamples;
-    config.reference.shape = models::LoopReference::Shape::Ramp;
+    config.reference.shape = control::LoopReference::Shape::Ramp;
     config.reference.rate_rad_s = base_rad_s;
     config.duration_s = duration_s;
     return models::runIdealLoop(config);
@@ -98,7 +98,7 @@ Swing swingOf(const control::PositionPlant& plant, const RelayPlan& plan, const 
     std::vector<double> reference, current, angle;
     // Of the simulation's rows, at most 1 ms apart, one in 4 ms shows the cycle.
     constexpr double Shown_s = 4e-3;
-    const double row_s = models::LoopRows(board.period_s).interval_s();
+    const double row_s = control::LoopRows(board.period_s).interval_s();
     const auto rowStep = static_cast<std::size_t>(std::max(1L, std::lround(Shown_s / row_s)));
     const double step_s = row_s * static_cast<double>(rowStep);
     for (std::size_t i = 0; i < trace.time_s.size(); ++i) {

@@ -84,7 +84,7 @@ Result<void> prepareBoard(devices::Device& device, const RelayPlan& plan, double
     if (auto prepared = prepareSpinning(device, speedWindow_rad_s); !prepared) {
         return prepared;
     }
-    models::PositionLaw law;
+    control::SampledPositionLaw law;
     law.kp_A_per_rad = plan.gain_A_per_rad;
     law.ki_A_per_rad_s = 0.0;
     std::vector<ParameterValue> values = positionLawValues(device.catalogue(), law);

@@ -15,8 +15,8 @@ namespace halbench::app {
 
 namespace {
 
-models::PositionLaw boardLaw(const control::PositionLaw& law, const LoopConditions& conditions) {
-    models::PositionLaw result;
+control::SampledPositionLaw boardLaw(const control::PositionLaw& law, const LoopConditions& conditions) {
+    control::SampledPositionLaw result;
     result.kp_A_per_rad = law.gains.proportional;
     result.ki_A_per_rad_s = law.gains.integral;
     result.kd_As_per_rad = law.gains.derivative;
@@ -33,7 +33,7 @@ models::PositionLaw boardLaw(const control::PositionLaw& law, const LoopConditio
     return result;
 }
 
-using Controller = std::function<double(const models::ReferencePoint&, double)>;
+using Controller = std::function<double(const control::ReferencePoint&, double)>;
 
 /// What computes a shaped law in the place of the simulated board, with its delay.
 Result<Controller> shapedController(const LoopLaw& law, const LoopConditions& conditions) {
@@ -44,7 +44,7 @@ Result<Controller> shapedController(const LoopLaw& law, const LoopConditions& co
     }
     std::deque<double> pending_A(static_cast<std::size_t>(conditions.timing.delay_samples), 0.0);
     return Controller(
-        [running = *made, pending_A](const models::ReferencePoint& reference, double angle_rad) mutable {
+        [running = *made, pending_A](const control::ReferencePoint& reference, double angle_rad) mutable {
             pending_A.push_back(running.step(
                 {reference.value_rad, reference.speed_rad_s, reference.acceleration_rad_s2}, angle_rad));
             const double current_A = pending_A.front();
@@ -55,7 +55,8 @@ Result<Controller> shapedController(const LoopLaw& law, const LoopConditions& co
 
 } // namespace
 
-Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const LoopConditions& conditions) {
+Result<control::SampledPositionLaw> simulatedLaw(const control::PositionLaw& law,
+                                                 const LoopConditions& conditions) {
     const auto gains = control::boardGains(law.gains);
     if (!gains) {
         return failure(gains.error());

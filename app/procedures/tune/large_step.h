@@ -5,7 +5,8 @@
 namespace halbench::app {
 
 /// The law as the event-exact simulation runs it, in the board's notation. Errors: of the gains.
-Result<models::PositionLaw> simulatedLaw(const control::PositionLaw& law, const LoopConditions& conditions);
+Result<control::SampledPositionLaw> simulatedLaw(const control::PositionLaw& law,
+                                                 const LoopConditions& conditions);
 
 /// Event-exact simulation of the ideal loop (help: htm-theory.md 8, level A) over this time. The law must
 /// have passed runAnalysis; a shaped one runs as `ShapedPositionLaw` has it. Errors: of the inputs.

@@ -1,10 +1,10 @@
 #include "app/procedures/tune/loop_uncertainty.h"
 
 #include "app/procedures/tune/large_step.h"
+#include "control/assess/loop_rows.h"
 #include "control/base/units.h"
 #include "control/robustness/percentiles.h"
 #include "control/robustness/shaped_bands.h"
-#include "models/plants/loop_rows.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -106,7 +106,7 @@ Result<control::StepBand> largeStepBand(const MotorEstimate& estimate, const Loo
         return failure(plants.error());
     }
     constexpr double Shown_s = 1e-2; // what a picture can show
-    const double row_s = models::LoopRows(conditions.timing.period_s).interval_s();
+    const double row_s = control::LoopRows(conditions.timing.period_s).interval_s();
     const auto stride = static_cast<std::size_t>(std::max(1L, std::lround(Shown_s / row_s)));
     control::StepBand band;
     std::vector<std::vector<double>> angles; // by time, of all motors

@@ -8,28 +8,28 @@ namespace {
 
 struct Role {
     const char* role;
-    double models::PositionLaw::*member;
+    double control::SampledPositionLaw::*member;
 };
 
 constexpr std::array Roles = {
-    Role{"gain.kp", &models::PositionLaw::kp_A_per_rad},
-    Role{"gain.ki", &models::PositionLaw::ki_A_per_rad_s},
-    Role{"gain.kd", &models::PositionLaw::kd_As_per_rad},
-    Role{"feedforward.inertia", &models::PositionLaw::inertia_As2_per_rad},
-    Role{"feedforward.viscous", &models::PositionLaw::viscous_As_per_rad},
-    Role{"feedforward.coulomb", &models::PositionLaw::coulomb_A},
-    Role{"feedforward.coulomb_speed", &models::PositionLaw::coulombSpeed_rad_s},
-    Role{"stiction.current", &models::PositionLaw::stiction_A},
-    Role{"stiction.threshold", &models::PositionLaw::stictionThreshold_rad},
-    Role{"stiction.speed", &models::PositionLaw::stictionSpeed_rad_s},
-    Role{"limit.current", &models::PositionLaw::limit_A},
+    Role{"gain.kp", &control::SampledPositionLaw::kp_A_per_rad},
+    Role{"gain.ki", &control::SampledPositionLaw::ki_A_per_rad_s},
+    Role{"gain.kd", &control::SampledPositionLaw::kd_As_per_rad},
+    Role{"feedforward.inertia", &control::SampledPositionLaw::inertia_As2_per_rad},
+    Role{"feedforward.viscous", &control::SampledPositionLaw::viscous_As_per_rad},
+    Role{"feedforward.coulomb", &control::SampledPositionLaw::coulomb_A},
+    Role{"feedforward.coulomb_speed", &control::SampledPositionLaw::coulombSpeed_rad_s},
+    Role{"stiction.current", &control::SampledPositionLaw::stiction_A},
+    Role{"stiction.threshold", &control::SampledPositionLaw::stictionThreshold_rad},
+    Role{"stiction.speed", &control::SampledPositionLaw::stictionSpeed_rad_s},
+    Role{"limit.current", &control::SampledPositionLaw::limit_A},
 };
 
 } // namespace
 
-Result<models::PositionLaw> readPositionLaw(devices::Device& device) {
+Result<control::SampledPositionLaw> readPositionLaw(devices::Device& device) {
     std::vector<std::string> names;
-    std::vector<double models::PositionLaw::*> members;
+    std::vector<double control::SampledPositionLaw::*> members;
     for (const Role& role : Roles) {
         const std::string name = device.catalogue().parameterForRole(role.role);
         if (!name.empty()) {
@@ -45,7 +45,7 @@ Result<models::PositionLaw> readPositionLaw(devices::Device& device) {
     if (!values) {
         return failure(values.error());
     }
-    models::PositionLaw law;
+    control::SampledPositionLaw law;
     const auto& known = device.catalogue().knownConstants;
     if (const auto period = known.find("T_s"); period != known.end()) {
         law.period_s = period->second;
@@ -60,11 +60,11 @@ Result<models::PositionLaw> readPositionLaw(devices::Device& device) {
 }
 
 std::vector<ParameterValue> positionLawValues(const devices::Catalogue& catalogue,
-                                              const models::PositionLaw& law) {
+                                              const control::SampledPositionLaw& law) {
     std::vector<ParameterValue> values;
     for (const Role& role : Roles) {
         const std::string name = catalogue.parameterForRole(role.role);
-        if (!name.empty() && role.member != &models::PositionLaw::limit_A) {
+        if (!name.empty() && role.member != &control::SampledPositionLaw::limit_A) {
             values.push_back({name, law.*role.member});
         }
     }

@@ -22,7 +22,7 @@ inline std::unique_ptr<devices::Device> openMotor(const std::string& query) {
 /// "The full sensing chain, stray compensated" of resources/help/htm-theory.md section 8.
 inline const std::string FullChain = "imperfections=off&stray_mT_per_A=2.5&hall_noise_mT=0.0184";
 
-inline void setLaw(devices::Device& device, const models::PositionLaw& law) {
+inline void setLaw(devices::Device& device, const control::SampledPositionLaw& law) {
     const auto values = positionLawValues(device.catalogue(), law);
     const auto written = device.writeParameters(values);
     ASSERT_TRUE(written) << written.error().message;

@@ -14,7 +14,7 @@ namespace {
 /// Angles of the published motor at whole milliseconds, by the plainest integrator there is: small steps of
 /// constant acceleration, Coulomb friction that stops the rotor where its speed would change sign.
 std::vector<double> integrated_rad(const IdealLoopConfig& config, double amplitude_rad, int stepsPerPeriod) {
-    const PositionLaw& law = config.law;
+    const control::SampledPositionLaw& law = config.law;
     const double h = law.period_s / stepsPerPeriod;
     const double gain = config.torqueConstant_Nm_per_A / config.rotor.inertia_kg_m2;
     const double friction = config.rotor.coulombFriction_Nm / config.rotor.inertia_kg_m2;
@@ -77,7 +77,7 @@ TEST(HtmIdealLoop, aControllerInThePlaceOfTheLawMovesTheSameMotor) {
     config.law.ki_A_per_rad_s = 0.0;
     const IdealTrace own = runIdealLoop(config);
     int calls = 0;
-    config.controller = [&](const ReferencePoint& reference, double angle_rad) {
+    config.controller = [&](const control::ReferencePoint& reference, double angle_rad) {
         ++calls;
         return std::clamp(config.law.kp_A_per_rad * (reference.value_rad - angle_rad), -config.law.limit_A,
                           config.law.limit_A);

@@ -102,12 +102,14 @@ TEST(HtmIdealLoop, publishedStepsWithoutFriction) {
 }
 
 TEST(HtmIdealLoop, negatingEveryReferenceNegatesEveryResponseExactly) {
-    const LoopReference shapes[] = {step(100),
-                                    sine(360, 0.2),
-                                    ramp(500),
-                                    {LoopReference::Shape::Staircase, degreesToRadians(0.32), 0, 0, 0.5, 10}};
-    for (const PositionLaw& law : {publishedLaw(), microStepLaw(), recommendedLaw(RotorConfig{}, 1.43e-2)}) {
-        for (LoopReference reference : shapes) {
+    const control::LoopReference shapes[] = {
+        step(100),
+        sine(360, 0.2),
+        ramp(500),
+        {control::LoopReference::Shape::Staircase, degreesToRadians(0.32), 0, 0, 0.5, 10}};
+    for (const control::SampledPositionLaw& law :
+         {publishedLaw(), microStepLaw(), recommendedLaw(RotorConfig{}, 1.43e-2)}) {
+        for (control::LoopReference reference : shapes) {
             IdealLoopConfig config = loop(reference, 2.0);
             config.law = law;
             const IdealTrace plus = runIdealLoop(config);
@@ -123,7 +125,7 @@ TEST(HtmIdealLoop, negatingEveryReferenceNegatesEveryResponseExactly) {
 }
 
 TEST(HtmIdealLoop, halvingTheStepChangesNothing) {
-    for (const LoopReference& reference : {step(100), sine(360, 0.2), ramp(500)}) {
+    for (const control::LoopReference& reference : {step(100), sine(360, 0.2), ramp(500)}) {
         IdealLoopConfig config = loop(reference, 6.0);
         const IdealTrace coarse = runIdealLoop(config);
         config.subStepsPerMillisecond = 2;
@@ -245,10 +247,10 @@ TEST(HtmIdealLoop, literalDifferenceEquationWithClampedMemoryStopsFarShort) {
     // Section 6.6: 28.1 deg of 100 instead of 95.4.
     IdealLoopConfig config = loop(step(100), 6.0);
     EXPECT_NEAR(radiansToDegrees(runIdealLoop(config).angle_rad.back()), 95.4, 0.25);
-    config.law.form = PositionLaw::Form::LiteralDifference;
+    config.law.form = control::SampledPositionLaw::Form::LiteralDifference;
     EXPECT_NEAR(radiansToDegrees(runIdealLoop(config).angle_rad.back()), 95.4,
                 0.5); // P alone: nearly the same
-    config.law.form = PositionLaw::Form::LiteralClampedMemory;
+    config.law.form = control::SampledPositionLaw::Form::LiteralClampedMemory;
     EXPECT_NEAR(radiansToDegrees(runIdealLoop(config).angle_rad.back()), 28.1, 0.25);
 }
 
@@ -271,7 +273,7 @@ TEST(HtmIdealLoop, degreeGainsMoveMicroStepsAndCycleAfterLargeSteps) {
 TEST(HtmIdealLoop, microStepPresetFollowsSmallSteps) {
     IdealLoopConfig config;
     config.law = microStepLaw();
-    config.reference = {LoopReference::Shape::Staircase, degreesToRadians(0.32), 0, 0, 1.0, 10};
+    config.reference = {control::LoopReference::Shape::Staircase, degreesToRadians(0.32), 0, 0, 1.0, 10};
     config.duration_s = 10.0;
     const IdealTrace trace = runIdealLoop(config);
     for (std::size_t second = 1; second <= 10; ++second) {

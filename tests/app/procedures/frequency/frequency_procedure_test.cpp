@@ -25,7 +25,7 @@ TransferFunction truePlant() {
     return *control::discretize(*control::series(*rotor, *amplifier), Period_s, control::Hold::Zoh{});
 }
 
-control::StabilityMargins trueMargins(const models::PositionLaw& law) {
+control::StabilityMargins trueMargins(const control::SampledPositionLaw& law) {
     control::PidGains gains;
     gains.proportional = law.kp_A_per_rad;
     gains.integral = law.ki_A_per_rad_s;

@@ -14,7 +14,7 @@
 namespace halbench::app {
 namespace {
 
-models::PositionLaw recommended() {
+control::SampledPositionLaw recommended() {
     return models::recommendedLaw(models::RotorConfig{}, 1.43e-2);
 }
 

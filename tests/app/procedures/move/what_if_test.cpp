@@ -122,14 +122,14 @@ TEST(WhatIf, aDisturbanceOfTheRecordComesAgain) {
         for (std::size_t row = 0; row < Rows; row += 10) {
             samples_rad.push_back(reference_rad[row]);
         }
-        const auto points = models::referencePoints(samples_rad, 0.01);
-        auto config = replayOf(motor, *simulatedLaw(law, {}), points, Rows);
+        const auto points = control::referencePoints(samples_rad, 0.01);
+        control::LoopReplayConfig config{*simulatedLaw(law, {}), points, {}, Rows};
         if (isDisturbed) {
             config.disturbance_A = disturbed_A;
         }
-        return models::replayLoop(config);
+        return replayRun(motor, config);
     };
-    const models::LoopReplay seen = run(ran, true);
+    const control::LoopReplay seen = run(ran, true);
     const auto predicted = whatIf(basisOf({reference_rad, seen.angle_rad, seen.current_A}, ran), wanted);
     ASSERT_TRUE(predicted) << predicted.error().message;
     const double without_rad =

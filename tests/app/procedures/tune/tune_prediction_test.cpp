@@ -99,13 +99,13 @@ TEST(RecommendedGains, warnOfLargeStepsWhereTheMotorBrakesPoorly) {
 TEST(RecommendedGains, followASineAndARampOnEveryMotor) {
     for (const Motor& motor : Motors) {
         models::IdealLoopConfig config = idealLoop(motor, recommended(motor));
-        config.reference.shape = models::LoopReference::Shape::Sine;
+        config.reference.shape = control::LoopReference::Shape::Sine;
         config.reference.amplitude_rad = degreesToRadians(360.0);
         config.reference.frequency_Hz = 0.2;
         config.duration_s = 10.0;
         EXPECT_LT(largestError_deg(runIdealLoop(config), 5.0), 0.64) << motor.name;
         config.reference = {};
-        config.reference.shape = models::LoopReference::Shape::Ramp;
+        config.reference.shape = control::LoopReference::Shape::Ramp;
         config.reference.rate_rad_s = degreesToRadians(500.0);
         config.duration_s = 4.0;
         EXPECT_LT(largestError_deg(runIdealLoop(config), 2.0), 0.30) << motor.name;

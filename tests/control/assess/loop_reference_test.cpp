@@ -1,12 +1,13 @@
-#include "tests/models/htm/ideal_loop_cases.h"
+#include "control/assess/loop_reference.h"
+#include "control/base/units.h"
 
 #include <gtest/gtest.h>
 
-namespace halbench::models {
+namespace halbench::control {
 namespace {
 
-TEST(HtmReference, derivativesMatchTheValue) {
-    const LoopReference reference = sine(360, 0.2);
+TEST(LoopReference, derivativesMatchTheValue) {
+    const LoopReference reference{LoopReference::Shape::Sine, 2.0 * Pi, 0, 0.2, 1, 1};
     const double h = 1e-5;
     for (const double t : {0.3, 1.1, 2.7}) {
         const double before = evaluateReference(reference, t - h).value_rad;
@@ -19,13 +20,13 @@ TEST(HtmReference, derivativesMatchTheValue) {
     }
 }
 
-TEST(HtmReference, rampHoldsAtItsAmplitude) {
-    LoopReference reference = ramp(-100);
-    reference.amplitude_rad = degreesToRadians(150);
+TEST(LoopReference, rampHoldsAtItsAmplitude) {
+    const LoopReference reference{
+        LoopReference::Shape::Ramp, degreesToRadians(150), degreesToRadians(-100), 0, 1, 1};
     EXPECT_DOUBLE_EQ(evaluateReference(reference, 1.0).value_rad, degreesToRadians(-100));
     EXPECT_DOUBLE_EQ(evaluateReference(reference, 2.0).value_rad, degreesToRadians(-150));
     EXPECT_EQ(evaluateReference(reference, 2.0).speed_rad_s, 0.0);
 }
 
 } // namespace
-} // namespace halbench::models
+} // namespace halbench::control

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace halbench::models {
+namespace halbench::control {
 
 /// The period is so many milliseconds, as what was recorded in rows of 1 ms needs it.
 bool isWholeMilliseconds(double period_s);
@@ -23,4 +23,4 @@ private:
     bool m_isMilliseconds = true;
 };
 
-} // namespace halbench::models
+} // namespace halbench::control

@@ -1,12 +1,11 @@
-#include "models/plants/loop_replay.h"
+#include "control/assess/loop_replay.h"
 
 #include "control/base/assert.h"
-#include "models/plants/position_law_state.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace halbench::models {
+namespace halbench::control {
 namespace {
 
 std::vector<double> differences(std::span<const double> values) {
@@ -29,21 +28,19 @@ std::vector<double> withoutSpikes(const std::vector<double>& values) {
 
 } // namespace
 
-LoopReplay replayLoop(const LoopReplayConfig& config) {
+LoopReplay replayLoop(const LoopReplayConfig& config, const HeldCurrentPlant& plant) {
     constexpr double Row_s = 1e-3;
     constexpr double Rounding_s = 1e-12; // an instant this near to a row is at it
     const double period_s = config.law.period_s;
     HB_ASSERT(period_s > 0.0 && !config.reference.empty());
     HB_ASSERT(config.disturbance_A.empty() || config.disturbance_A.size() >= config.rows);
     PositionLawState law(config.law);
-    RotorState rotor;
-    rotor.friction_ratio = config.friction_ratio;
+    double angle_rad = 0.0;
     double current_A = 0.0;
     std::size_t sample = 0;
     const auto nextSample_s = [&] { return static_cast<double>(sample) * period_s; };
     const auto compute = [&] {
-        current_A =
-            law.step(config.reference[std::min(sample++, config.reference.size() - 1)], rotor.angle_rad);
+        current_A = law.step(config.reference[std::min(sample++, config.reference.size() - 1)], angle_rad);
     };
     LoopReplay replay;
     replay.angle_rad.reserve(config.rows);
@@ -53,12 +50,11 @@ LoopReplay replayLoop(const LoopReplayConfig& config) {
         if (nextSample_s() < begin_s + Rounding_s) {
             compute();
         }
-        replay.angle_rad.push_back(rotor.angle_rad);
+        replay.angle_rad.push_back(angle_rad);
         replay.current_A.push_back(current_A);
         const double disturbance_A = config.disturbance_A.empty() ? 0.0 : config.disturbance_A[row];
         const auto moveFor = [&](double duration_s) {
-            stepRotor(config.rotor, rotor, config.torqueConstant_Nm_per_A * (current_A + disturbance_A),
-                      duration_s);
+            angle_rad = plant(current_A + disturbance_A, duration_s);
         };
         double done_s = 0.0; // of this row; a period of whole milliseconds has no instant within it
         while (nextSample_s() < begin_s + Row_s - Rounding_s) {
@@ -93,4 +89,4 @@ std::vector<ReferencePoint> referencePoints(std::span<const double> value_rad, d
     return points;
 }
 
-} // namespace halbench::models
+} // namespace halbench::control

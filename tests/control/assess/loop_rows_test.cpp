@@ -1,10 +1,10 @@
-#include "models/plants/loop_rows.h"
+#include "control/assess/loop_rows.h"
 
 #include <gtest/gtest.h>
 
 #include <utility>
 
-namespace halbench::models {
+namespace halbench::control {
 namespace {
 
 TEST(LoopRows, areMillisecondsOrPartsOfThePeriod) {
@@ -27,4 +27,4 @@ TEST(LoopRows, areMillisecondsOrPartsOfThePeriod) {
 }
 
 } // namespace
-} // namespace halbench::models
+} // namespace halbench::control

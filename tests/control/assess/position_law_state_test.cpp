@@ -1,13 +1,13 @@
-#include "models/plants/position_law_state.h"
+#include "control/assess/position_law_state.h"
 
 #include <gtest/gtest.h>
 
-namespace halbench::models {
+namespace halbench::control {
 namespace {
 
 // u = Kp e + x + Kd (r' - (psi - psi_before)/Ts), x' = Ts Ki e: by hand, htm-theory.md 3.6 and 8.4.
 TEST(PositionLawState, asksForTheCurrentOfTheTheory) {
-    PositionLaw law;
+    SampledPositionLaw law;
     law.kp_A_per_rad = 10.0;
     law.ki_A_per_rad_s = 5.0;
     law.kd_As_per_rad = 0.5;
@@ -18,7 +18,7 @@ TEST(PositionLawState, asksForTheCurrentOfTheTheory) {
 }
 
 TEST(PositionLawState, staysWithinItsLimitAndStopsIntegratingThere) {
-    PositionLaw law;
+    SampledPositionLaw law;
     law.ki_A_per_rad_s = 50.0;
     PositionLawState state(law);
     for (int i = 0; i < 10; ++i) {
@@ -28,7 +28,7 @@ TEST(PositionLawState, staysWithinItsLimitAndStopsIntegratingThere) {
 }
 
 TEST(PositionLawState, hasItsCurrentLaterByItsDelay) {
-    PositionLaw law;
+    SampledPositionLaw law;
     law.ki_A_per_rad_s = 0.0;
     law.delaySamples = 2;
     PositionLawState state(law);
@@ -38,4 +38,4 @@ TEST(PositionLawState, hasItsCurrentLaterByItsDelay) {
 }
 
 } // namespace
-} // namespace halbench::models
+} // namespace halbench::control

@@ -1,9 +1,9 @@
-#include "models/plants/position_law_state.h"
+#include "control/assess/position_law_state.h"
 
 #include <algorithm>
 #include <cmath>
 
-namespace halbench::models {
+namespace halbench::control {
 namespace {
 
 double sign(double value) {
@@ -14,7 +14,7 @@ double sign(double value) {
 
 double PositionLawState::step(const ReferencePoint& reference, double angle_rad) {
     const double error_rad = reference.value_rad - angle_rad;
-    const double now_A = m_law.form == PositionLaw::Form::Positional
+    const double now_A = m_law.form == SampledPositionLaw::Form::Positional
                              ? positional_A(reference, angle_rad, error_rad)
                              : literal_A(error_rad);
     m_previousAngle_rad = angle_rad;
@@ -49,10 +49,10 @@ double PositionLawState::literal_A(double error_rad) {
     m_memory_A += m_law.kp_A_per_rad * (error_rad - m_previousError_rad);
     m_previousError_rad = error_rad;
     const double limited_A = std::clamp(m_memory_A, -m_law.limit_A, m_law.limit_A);
-    if (m_law.form == PositionLaw::Form::LiteralClampedMemory) {
+    if (m_law.form == SampledPositionLaw::Form::LiteralClampedMemory) {
         m_memory_A = limited_A;
     }
     return limited_A;
 }
 
-} // namespace halbench::models
+} // namespace halbench::control

@@ -1,10 +1,10 @@
-#include "models/plants/loop_rows.h"
+#include "control/assess/loop_rows.h"
 
 #include "control/base/assert.h"
 
 #include <cmath>
 
-namespace halbench::models {
+namespace halbench::control {
 namespace {
 
 constexpr double Tick_s = 1e-3;
@@ -33,4 +33,4 @@ double LoopRows::time_s(long row) const {
                                   static_cast<double>(row % m_perPeriod) * m_interval_s;
 }
 
-} // namespace halbench::models
+} // namespace halbench::control
