@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/connect_button.h"
-#include "app/window/docks/panels.h"
+#include "app/window/docks/perspective.h"
 
 #include <QWidget>
 

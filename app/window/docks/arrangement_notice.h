@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/docks/kept_arrangement.h"
-#include "app/window/docks/panels.h"
+#include "app/window/docks/perspective.h"
 #include "widgets/controls/message_bar.h"
 
 namespace halbench::app {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/docks/panels.h"
+#include "app/window/docks/perspective.h"
 
 #include <QWidget>
 

@@ -3,7 +3,7 @@
 #include "app/documents/text/config_node.h"
 #include "app/documents/text/output_file.h"
 #include "app/procedures/identify/identify_procedure.h"
-#include "app/window/docks/panels.h"
+#include "app/window/docks/perspective.h"
 #include "app/window/project/project_monitor.h"
 #include "app/window/project/project_plots.h"
 #include "app/window/project/project_reader.h"
