@@ -1,11 +1,15 @@
 #include "app/documents/presets.h"
 
 #include "app/documents/text/json_value.h"
-#include "app/experiments/experiment_keys.h"
 
+#include <QtCore/QDirIterator>
 #include <QtCore/QFile>
+#include <QtCore/QFileInfo>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
 
 // Resources of a static library have to be named once; the macro must stand outside every namespace.
 static void initialisePresetResources() {
@@ -13,6 +17,21 @@ static void initialisePresetResources() {
 }
 
 namespace halbench::app {
+
+std::vector<std::string> presetNames() {
+    initialisePresetResources();
+    std::vector<std::string> names;
+    QDirIterator files(QStringLiteral(":/presets"), {QStringLiteral("*.json")}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        names.push_back(QFileInfo(files.next()).completeBaseName().toStdString());
+    }
+    std::sort(names.begin(), names.end(), [](const std::string& one, const std::string& other) {
+        return std::tuple(one != "published", one) < std::tuple(other != "published", other);
+    });
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
 
 Result<Preset> findPreset(const std::string& model, const std::string& name) {
     initialisePresetResources();

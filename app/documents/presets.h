@@ -17,6 +17,9 @@ struct Preset {
     std::vector<ParameterValue> values;
 };
 
+/// Names of the shipped presets, of any model: the published one first, the others by name.
+std::vector<std::string> presetNames();
+
 /// Errors: UnknownName; InvalidInput when the shipped file is damaged.
 Result<Preset> findPreset(const std::string& model, const std::string& name);
 

@@ -1,5 +1,6 @@
 #include "app/experiments/experiment_keys.h"
 
+#include "app/documents/presets.h"
 #include "app/documents/text/names.h"
 
 #include <array>
@@ -11,7 +12,6 @@ namespace {
 constexpr double Any = std::numeric_limits<double>::max();
 constexpr std::string_view Kinds =
     "identify|frequency|relay|calibrate|tune|apply|move|record|set|wait|analyse";
-constexpr std::string_view Presets = "published|designed|micro-step|published-in-degrees|recommended";
 constexpr std::string_view Methods =
     "recommended|pole-placement|bandwidth|phase-margin|simc|lambda|ziegler-nichols|ziegler-nichols-pi|"
     "ziegler-nichols-p|lqr|min-iae|min-itae|lead|lag|published|designed|micro-step|published-degrees";
@@ -90,7 +90,7 @@ constexpr std::array KnownKeys = {
     KeySpec{"analyse", "pitch_mm", Number, false, 0.01, 100, "", "coil: pitch of the wires whose fill factor is wanted"},
 
     KeySpec{"apply", "gains", Name, false, 0, 0, "", "tune step whose gains are written"},
-    KeySpec{"apply", "preset", Choice, false, 0, 0, Presets, "shipped parameter set that is written; one of gains and preset"},
+    KeySpec{"apply", "preset", PresetName, false, 0, 0, "", "shipped parameter set that is written; one of gains and preset"},
 
     KeySpec{"apply", "verify_step_deg", Number, false, -3600, 3600, "", "step that the new values must answer as predicted, or the old ones run again"},
     KeySpec{"apply", "model", Name, false, 0, 0, "", "identify step that the prediction is made from; default that of the gains"},
@@ -139,8 +139,8 @@ std::vector<std::string> stepKinds() {
     return splitList(Kinds, '|');
 }
 
-std::vector<std::string> presetNames() {
-    return splitList(Presets, '|');
+std::vector<std::string> choicesOf(const KeySpec& spec) {
+    return spec.type == PresetName ? presetNames() : splitList(spec.choices, '|');
 }
 
 std::vector<const KeySpec*> keysOf(std::string_view section, std::string_view table) {

@@ -15,9 +15,10 @@ enum class KeyType {
     Number,  ///< finite, within [min, max]
     Integer, ///< likewise, whole
     Boolean,
-    Choice,  ///< one of `choices`
-    Numbers, ///< a table of names and finite numbers; dotted and quoted names mean the same
-    Table    ///< its keys follow in the table as "key.sub"
+    Choice,    ///< one of `choices`
+    Numbers,   ///< a table of names and finite numbers; dotted and quoted names mean the same
+    Table,     ///< its keys follow in the table as "key.sub"
+    PresetName ///< one of presetNames()
 };
 
 /// One key of an experiment file. This table is the only place that knows them: it drives validation, the
@@ -38,8 +39,8 @@ std::span<const KeySpec> experimentKeys();
 /// The kinds of steps, in the order of the help.
 std::vector<std::string> stepKinds();
 
-/// The presets that `apply` knows.
-std::vector<std::string> presetNames();
+/// The texts that a key takes, none for one that is no choice.
+std::vector<std::string> choicesOf(const KeySpec& spec);
 
 /// The keys of one section directly under `table` ("" = the section itself).
 std::vector<const KeySpec*> keysOf(std::string_view section, std::string_view table);

@@ -1,6 +1,5 @@
 #include "app/experiments/experiment_schema.h"
 
-#include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
 #include "app/experiments/experiment_keys.h"
 
@@ -50,9 +49,10 @@ JsonValue valueSchema(const KeySpec& spec) {
         return numberSchema(spec);
     case KeyType::Boolean:
         return typed("boolean");
-    case KeyType::Choice: {
+    case KeyType::Choice:
+    case KeyType::PresetName: {
         JsonValue schema = JsonValue::object();
-        return schema.set("enum", splitList(spec.choices, '|'));
+        return schema.set("enum", choicesOf(spec));
     }
     case KeyType::Numbers: // dotted names become tables in tables
         return typed("object").set(
@@ -97,8 +97,8 @@ JsonValue stepSchema(const std::string& kind) {
 }
 
 std::string rangeText(const KeySpec& spec) {
-    if (!spec.choices.empty()) {
-        return fmt::format("{}", fmt::join(splitList(spec.choices, '|'), ", "));
+    if (const std::vector<std::string> choices = choicesOf(spec); !choices.empty()) {
+        return fmt::format("{}", fmt::join(choices, ", "));
     }
     constexpr std::array Types = {"text",          "name", "list of texts",    "number", "whole number",
                                   "true or false", "",     "table of numbers", "table"};

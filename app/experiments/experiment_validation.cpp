@@ -46,7 +46,7 @@ Result<void> checkNumber(const KeySpec& spec, const ConfigNode& node) {
 }
 
 Result<void> checkChoice(const KeySpec& spec, const ConfigNode& node) {
-    const std::vector<std::string> choices = splitList(spec.choices, '|');
+    const std::vector<std::string> choices = choicesOf(spec);
     if (node.kind != ConfigNode::Kind::Text ||
         std::find(choices.begin(), choices.end(), node.text) == choices.end()) {
         const std::string got =
@@ -123,6 +123,7 @@ Result<void> checkValue(const KeySpec& spec, const ConfigNode& node) {
                    : complaint(node, fmt::format("'{}' is {}", spec.key, kindName(node.kind)),
                                "allowed: true, false");
     case KeyType::Choice:
+    case KeyType::PresetName:
         return checkChoice(spec, node);
     case KeyType::Numbers:
         return checkNumbers(spec, node);

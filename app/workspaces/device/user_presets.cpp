@@ -1,6 +1,6 @@
 #include "app/workspaces/device/user_presets.h"
 
-#include "app/experiments/experiment_keys.h"
+#include "app/documents/presets.h"
 #include "widgets/language/phrasebook.h"
 
 #include <QDir>

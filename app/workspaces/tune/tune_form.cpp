@@ -1,7 +1,6 @@
 #include "app/workspaces/tune/tune_form.h"
 
 #include "app/documents/presets.h"
-#include "app/experiments/experiment_keys.h"
 #include "app/workspaces/tune/design_names.h"
 #include "control/design/optimal_designs.h"
 #include "widgets/controls/optional_number_edit.h"

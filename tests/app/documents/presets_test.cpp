@@ -1,6 +1,5 @@
 #include "app/actuators/htm/known_motor.h"
 #include "app/documents/presets.h"
-#include "app/experiments/experiment_keys.h"
 #include "app/tuning/loop_conditions.h"
 
 #include <gtest/gtest.h>
@@ -38,6 +37,11 @@ TEST(Presets, holdTheGainsOfTheTheoryPage) {
     EXPECT_NEAR(valueOf(recommended, "feedforward.inertia"), 5.5e-4 / 1.43e-2, 1e-8);
     EXPECT_NEAR(valueOf(recommended, "feedforward.viscous"), 1.23e-3 / 1.43e-2, 1e-8);
     EXPECT_NEAR(valueOf(recommended, "feedforward.coulomb"), 0.9 * 2.05e-2 / 1.43e-2, 1e-8);
+}
+
+TEST(Presets, namesBeginWithThePublishedOneAndAreSorted) {
+    EXPECT_EQ(presetNames(), (std::vector<std::string>{"published", "designed", "micro-step",
+                                                       "published-in-degrees", "recommended"}));
 }
 
 TEST(Presets, allThatExperimentsMayNameAreShippedWithTheirSource) {

@@ -1,5 +1,4 @@
 #include "app/documents/presets.h"
-#include "app/experiments/experiment_keys.h"
 #include "app/window/preferences/language.h"
 #include "app/workbench/fault_words.h"
 #include "control/base/units.h"

@@ -1,4 +1,4 @@
-#include "app/experiments/experiment_keys.h"
+#include "app/documents/presets.h"
 #include "app/workspaces/tune/design_names.h"
 #include "control/design/design_methods.h"
 
