@@ -1,29 +1,16 @@
+#include "app/actuators/htm/known_motor.h"
+#include "app/actuators/htm/motor_geometry_analysis.h"
 #include "app/documents/result_documents.h"
 #include "app/experiments/step_runs.h"
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/tuning/loop_conditions.h"
 #include "control/base/units.h"
-#include "devices/device_uri.h"
-#include "devices/simulated/simulated_device.h"
 
 #include <array>
 
 namespace halbench::app {
 
 namespace {
-
-Result<models::HtmParameters> simulatedMotor(const devices::Device& device) {
-    const Result<devices::DeviceUri> uri = devices::parseDeviceUri(device.info().uri);
-    if (!uri) {
-        return failure(uri.error());
-    }
-    Result<devices::SimulatedSetup> setup = devices::parseSimulatedAddress(*uri, std::nullopt);
-    if (!setup) {
-        return failure(ErrorCode::Usage, "the parts of a motor are known of a simulated one only",
-                       "use --device sim:htm");
-    }
-    return setup->parameters;
-}
 
 /// A key in another unit than the code's, nothing when it is absent.
 std::optional<double> scaled(const ExperimentStep& step, std::string_view key, double toSi) {
@@ -82,7 +69,7 @@ constexpr std::array Subjects = {Subject{"torque", torqueAnalysis}, Subject{"sen
                                  Subject{"coil", coilAnalysis}};
 
 Result<StepOutcome> motorOutcome(StepRun& run, const ExperimentStep& step) {
-    const Result<models::HtmParameters> motor = simulatedMotor(run.device);
+    const Result<models::HtmParameters> motor = simulatedMotor(run.device.info());
     if (!motor) {
         return failure(motor.error());
     }

@@ -140,8 +140,12 @@ Result<std::unique_ptr<Device>> openDevice(const std::string& text, const OpenOp
     return openBoard(*uri, options);
 }
 
+std::vector<DeviceListing> listBuiltInDevices() {
+    return listSimulatedDevices();
+}
+
 std::vector<DeviceListing> listDevices() {
-    std::vector<DeviceListing> devices = listSimulatedDevices();
+    std::vector<DeviceListing> devices = listBuiltInDevices();
     for (const PortListing& port : listPorts()) {
         devices.push_back(listingOf(port));
     }

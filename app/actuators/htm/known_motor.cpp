@@ -24,4 +24,17 @@ std::optional<KnownMotor> knownMotor(const devices::DeviceInfo& device) {
     return motor;
 }
 
+Result<models::HtmParameters> simulatedMotor(const devices::DeviceInfo& device) {
+    const Result<devices::DeviceUri> uri = devices::parseDeviceUri(device.uri);
+    if (!uri) {
+        return failure(uri.error());
+    }
+    Result<devices::SimulatedSetup> setup = devices::parseSimulatedAddress(*uri, std::nullopt);
+    if (!setup) {
+        return failure(ErrorCode::Usage, "the parts of a motor are known of a simulated one only",
+                       "use --device sim:htm");
+    }
+    return setup->parameters;
+}
+
 } // namespace halbench::app

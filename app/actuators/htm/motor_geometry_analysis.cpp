@@ -1,5 +1,6 @@
+#include "app/actuators/htm/motor_geometry_analysis.h"
+
 #include "app/actuators/htm/amplifier_analysis.h"
-#include "app/actuators/htm/motor_analysis.h"
 #include "control/base/units.h"
 #include "models/fields/coil_inductance.h"
 

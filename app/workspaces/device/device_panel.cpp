@@ -3,7 +3,7 @@
 #include "app/workspaces/device/pace_row.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "devices/device_uri.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/open/open_device.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/theme/icons.h"
@@ -35,7 +35,7 @@ DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     buildIdentity(column);
     column->addStretch(1);
     setFocusProxy(m_list);
-    takeDevices(devices::listSimulatedDevices());
+    takeDevices(devices::listBuiltInDevices());
     refresh();
     m_watcher =
         std::make_unique<devices::DeviceWatcher>([this](const std::vector<devices::DeviceListing>& list) {
