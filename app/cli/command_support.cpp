@@ -3,12 +3,8 @@
 #include "app/documents/configuration_comparison.h"
 #include "app/documents/result_header.h"
 #include "app/documents/text/output_file.h"
-#include "app/procedures/tune/loop_verdict.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 
 namespace halbench::app {
 
@@ -33,53 +29,6 @@ ExitCode exitCodeFor(const DataQuality& quality) {
     return quality.verdict == Verdict::Refused ? ExitCode::CheckFailed : ExitCode::Done;
 }
 
-namespace {
-
-std::string linesOf(const std::vector<Finding>& findings) {
-    std::string text;
-    for (const Finding& finding : findings) {
-        text += fmt::format("  {}: {}; {}\n", finding.code, finding.message, finding.hint);
-    }
-    return text;
-}
-
-struct UnitSuffix {
-    std::string_view suffix, unit;
-};
-/// An ending that is the end of another one comes after it.
-constexpr std::array UnitSuffixes = {
-    UnitSuffix{"_rad_s", "rad/s"}, UnitSuffix{"_rad", "rad"}, UnitSuffix{"_degC", "degC"},
-    UnitSuffix{"_deg", "deg"},     UnitSuffix{"_ratio", ""},  UnitSuffix{"_percent", "%"},
-    UnitSuffix{"_A", "A"},         UnitSuffix{"_s", "s"},
-};
-
-std::string figureLine(std::string name, const JsonValue& value) {
-    std::string_view unit;
-    for (const UnitSuffix& known : UnitSuffixes) {
-        if (name.size() > known.suffix.size() && std::string_view(name).ends_with(known.suffix)) {
-            unit = known.unit;
-            name.resize(name.size() - known.suffix.size());
-            break;
-        }
-    }
-    std::replace(name.begin(), name.end(), '_', ' ');
-    if (!value.isNumber()) {
-        return fmt::format("  {:<24} none\n", name);
-    }
-    return fmt::format("  {:<24} {:.6g}{}{}\n", name, value.number(), unit.empty() ? "" : " ", unit);
-}
-
-} // namespace
-
-std::string findingLines(const DataQuality& quality) {
-    return fmt::format("data quality: {}\n", verdictName(quality.verdict)) + linesOf(quality.findings);
-}
-
-std::string loopFindingLines(const DataQuality& quality, bool isRobustnessKnown) {
-    return loopVerdict(quality.verdict, quality.findings, isRobustnessKnown) + '\n' +
-           linesOf(quality.findings);
-}
-
 Result<void> refuseGiven(std::initializer_list<NamedOption> options, const char* message, const char* hint) {
     for (const NamedOption& named : options) {
         if (named.isGiven) {
@@ -87,16 +36,6 @@ Result<void> refuseGiven(std::initializer_list<NamedOption> options, const char*
         }
     }
     return {};
-}
-
-std::string figureLines(std::string_view heading, const JsonValue& figures) {
-    std::string text = fmt::format("{}\n", heading);
-    for (const JsonMember& figure : figures.members()) {
-        if (figure.value.isNumber() || figure.value.isNull()) {
-            text += figureLine(figure.key, figure.value);
-        }
-    }
-    return text;
 }
 
 Result<void> backUp(CommandContext& context, const devices::Device& device,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/cli/commands.h"
-#include "app/procedures/calibrate/calibrate_procedure.h"
+#include "app/documents/text/result_text.h"
 #include "app/procedures/identify/identify_procedure.h"
 #include "devices/acquisition/derived_signals.h"
 
@@ -30,19 +30,6 @@ Result<void> checkStore(const CommandOptions& options, const devices::Device& de
 /// Exit code of an estimate: 1 when it was refused.
 ExitCode exitCodeFor(const DataQuality& quality);
 
-/// Findings as lines for people.
-std::string findingLines(const DataQuality& quality);
-
-/// The same of a loop, with its verdict in the words of the window.
-std::string loopFindingLines(const DataQuality& quality, bool isRobustnessKnown);
-
-/// The numbers of a result for people: the heading, then one a line with six digits and the unit that its
-/// name ends with ("rise_time_s"). What is no number but absent is "none"; of parts within it nothing.
-std::string figureLines(std::string_view heading, const JsonValue& figures);
-
-/// "c = 0.00123 N*m*s/rad  [0.0012, 0.00126]  identified"
-std::string estimateLine(std::string_view name, const control::Estimate& estimate);
-
 /// An option and whether it stands on the command line.
 struct NamedOption {
     const char* option;
@@ -54,11 +41,6 @@ Result<void> refuseGiven(std::initializer_list<NamedOption> options, const char*
 /// The sweep, directions and given constants of `identify` as written on the command line.
 /// Errors: Usage, UnknownName, NotFinite, OutOfRange, naming the option; FileSystem, InvalidInput of --bare.
 Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options);
-/// "both", "forward", "reverse". Error: Usage.
-Result<SweepDirections> sweepDirections(const std::string& name);
-/// "hall", "stray", "static-friction", "all". Error: Usage.
-Result<std::vector<Calibration>> calibrationsFrom(const std::string& name);
-
 /// The signals of --derive. Errors: InvalidInput, naming the option.
 Result<std::vector<devices::DerivedSignal>> derivedOption(const std::vector<std::string>& texts);
 

@@ -7,6 +7,7 @@
 #include "app/documents/shaped_gains.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
+#include "app/headless/command_header.h"
 #include "app/procedures/tune/disturbance.h"
 #include "app/procedures/tune/loop_uncertainty.h"
 #include "app/tuning/gains_judgement.h"

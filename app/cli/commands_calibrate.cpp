@@ -1,6 +1,8 @@
 #include "app/cli/command_support.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/numbers.h"
+#include "app/documents/text/procedure_choices.h"
+#include "app/headless/command_header.h"
 
 #include <fmt/format.h>
 

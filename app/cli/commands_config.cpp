@@ -2,6 +2,7 @@
 #include "app/documents/comparison_documents.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/output_file.h"
+#include "app/headless/command_header.h"
 
 #include <fmt/format.h>
 

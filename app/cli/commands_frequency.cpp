@@ -5,6 +5,7 @@
 #include "app/documents/result_documents.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
+#include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
 #include "app/tuning/loop_conditions.h"
 #include "control/base/units.h"

@@ -4,6 +4,7 @@
 #include "app/cli/relay_options.h"
 #include "app/documents/result_documents.h"
 #include "app/headless/changed_recording.h"
+#include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
 #include "devices/device_uri.h"
 #include "devices/formats/recording_file.h"

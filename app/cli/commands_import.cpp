@@ -1,6 +1,7 @@
 #include "app/cli/command_support.h"
 #include "app/documents/import_documents.h"
 #include "app/documents/text/numbers.h"
+#include "app/headless/command_header.h"
 #include "devices/formats/recording_file.h"
 #include "devices/recording/recording_writer.h"
 

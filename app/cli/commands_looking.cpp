@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/documents/result_header.h"
 #include "app/documents/text/numbers.h"
+#include "app/headless/command_header.h"
 #include "devices/open/system_files.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "app/cli/command_support.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/numbers.h"
+#include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
 
 #include <string_view>

@@ -4,6 +4,7 @@
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
 #include "app/headless/changed_recording.h"
+#include "app/headless/command_header.h"
 #include "app/recordings/aligned_runs.h"
 #include "devices/formats/convert_recording.h"
 #include "devices/recording/recording_writer.h"

@@ -4,6 +4,7 @@
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
 #include "app/figures/recording_picture.h"
+#include "app/headless/command_header.h"
 #include "devices/formats/convert_recording.h"
 #include "devices/formats/recording_file.h"
 

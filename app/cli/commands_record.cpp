@@ -4,6 +4,7 @@
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
 #include "app/headless/changed_recording.h"
+#include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
 #include "app/headless/waiting_device.h"
 #include "app/procedures/record/capture_procedure.h"
@@ -237,10 +238,10 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
     if (!place) {
         return failure(place.error());
     }
-    RecordingOutput output(context, device, place->path, header.started);
+    RecordingOutput output(device, place->path, header.started, warningsTo(context.console));
     output.setAutomaticName(place->automaticName);
     if (back) {
-        back->setEvents(eventsTo(context, output));
+        back->setEvents(eventsTo(warningsTo(context.console), output));
     }
     const std::optional<double> limit_degC = temperatureLimit_degC(device);
     CoilWatch coils(device.catalogue());

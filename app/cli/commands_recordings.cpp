@@ -1,6 +1,7 @@
 #include "app/cli/command_support.h"
 #include "app/documents/result_history.h"
 #include "app/documents/text/numbers.h"
+#include "app/headless/command_header.h"
 #include "app/recordings/recording_list.h"
 
 #include <QtCore/QFileInfo>

@@ -4,6 +4,7 @@
 #include "app/documents/model_file.h"
 #include "app/documents/relay_document.h"
 #include "app/documents/text/numbers.h"
+#include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
 #include "control/base/units.h"
 

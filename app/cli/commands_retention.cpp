@@ -1,5 +1,6 @@
 #include "app/cli/command_support.h"
 #include "app/documents/result_header.h"
+#include "app/headless/command_header.h"
 #include "app/recordings/recording_retention.h"
 
 #include <QtCore/QFileInfo>

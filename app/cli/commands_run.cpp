@@ -4,6 +4,7 @@
 #include "app/experiments/run_files.h"
 #include "app/experiments/run_plan.h"
 #include "app/experiments/step_configs.h"
+#include "app/headless/command_header.h"
 #include "app/headless/waiting_device.h"
 
 #include <algorithm>

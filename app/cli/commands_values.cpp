@@ -2,6 +2,7 @@
 #include "app/documents/result_header.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
+#include "app/headless/command_header.h"
 
 #include <fmt/format.h>
 

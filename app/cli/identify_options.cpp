@@ -2,24 +2,13 @@
 #include "app/documents/model_file.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
+#include "app/documents/text/procedure_choices.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace halbench::app {
-
-std::string estimateLine(std::string_view name, const control::Estimate& estimate) {
-    if (!estimate.value) {
-        return fmt::format("{:<14} {}\n", name, control::estimateSourceName(estimate.source));
-    }
-    const std::string interval =
-        estimate.interval95
-            ? fmt::format("  [{:.6g}, {:.6g}]", estimate.interval95->first, estimate.interval95->second)
-            : std::string();
-    return fmt::format("{:<14} {:.6g} {}{}  {}\n", name, *estimate.value, estimate.unit, interval,
-                       control::estimateSourceName(estimate.source));
-}
 
 std::string identificationText(const IdentifyResult& result) {
     std::string text;
@@ -37,33 +26,6 @@ std::string identificationText(const IdentifyResult& result) {
         text += fmt::format("{:<14} {:.5f}\n", "R squared", *result.rSquared);
     }
     return text + findingLines(result.quality);
-}
-
-Result<SweepDirections> sweepDirections(const std::string& name) {
-    if (name.empty() || name == "both") {
-        return SweepDirections::Both;
-    }
-    if (name == "forward") {
-        return SweepDirections::Forward;
-    }
-    if (name == "reverse") {
-        return SweepDirections::Reverse;
-    }
-    return failure(ErrorCode::Usage, "--directions: '" + name + "' is no direction",
-                   "use both, forward or reverse");
-}
-
-Result<std::vector<Calibration>> calibrationsFrom(const std::string& name) {
-    if (name == "all") {
-        return CalibrateConfig{}.which;
-    }
-    for (const Calibration calibration : CalibrateConfig{}.which) {
-        if (calibrationName(calibration) == name) {
-            return std::vector<Calibration>{calibration};
-        }
-    }
-    return failure(ErrorCode::Usage, "'" + name + "' is no calibration",
-                   "use hall, stray, static-friction or all");
 }
 
 namespace {

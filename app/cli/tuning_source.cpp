@@ -1,6 +1,7 @@
 #include "app/cli/tuning_source.h"
 
 #include "app/cli/command_support.h"
+#include "app/headless/command_header.h"
 #include "app/tuning/loop_conditions.h"
 #include "control/design/design_targets.h"
 

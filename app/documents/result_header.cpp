@@ -1,8 +1,6 @@
 #include "app/documents/result_header.h"
 
 #include "app/documents/text/numbers.h"
-#include "app/headless/changed_recording.h"
-#include "devices/formats/replay_device.h"
 
 #include <fmt/format.h>
 
@@ -33,44 +31,7 @@ std::map<std::string, std::string> knownOverrides(const devices::DeviceInfo& dev
     return overrides;
 }
 
-/// --seed wins over ?seed=; default 1.
-std::uint64_t seedOf(const CommandContext& context, const devices::DeviceInfo& device) {
-    if (context.global.seed) {
-        return *context.global.seed;
-    }
-    for (const auto& [key, value] : device.overrides) {
-        const std::optional<std::int64_t> seed = parseInteger(value);
-        if (key == "seed" && seed) {
-            return static_cast<std::uint64_t>(*seed);
-        }
-    }
-    return 1;
-}
-
 } // namespace
-
-ResultHeader headerFor(const CommandContext& context, const std::string& schema,
-                       const devices::Device& device) {
-    ResultHeader header = headerFor(context, schema);
-    header.device = device.info();
-    header.seed = seedOf(context, device.info());
-    if (const auto recording = devices::recordingOf(device)) {
-        noteWarnings(header.quality, recording->warnings);
-    } else if (!device.info().otherFirmware.empty()) {
-        addQuality(header.quality, {Verdict::Doubtful, {otherFirmware(device.info())}});
-    }
-    if (!device.info().isSimulated || context.global.isRealtime) {
-        header.started = context.wallClock();
-    }
-    return header;
-}
-
-ResultHeader headerFor(const CommandContext& context, const std::string& schema) {
-    ResultHeader header;
-    header.schema = schema;
-    header.seed = context.global.seed.value_or(1);
-    return header;
-}
 
 JsonValue toJson(const devices::DeviceInfo& device) {
     JsonValue overrides = JsonValue::object();

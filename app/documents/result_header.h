@@ -1,9 +1,18 @@
 #pragma once
 
 #include "app/documents/text/json_value.h"
-#include "app/headless/command_context.h"
+#include "app/procedures/base/procedure.h"
+#include "devices/device.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace halbench::app {
+
+/// The wall clock's now: ISO 8601, UTC.
+std::string wallTime();
 
 /// What every result begins with: schema, version, device, start, seed and the quality of the data
 /// (resources/help/command-line.md, "Results").
@@ -15,13 +24,6 @@ struct ResultHeader {
     DataQuality quality;
     std::string software = HALBENCH_VERSION; ///< version that made the result
 };
-
-/// Header of a command that works on a device: virtual time begins at 1970-01-01T00:00:00Z, any other at the
-/// wall clock's now.
-ResultHeader headerFor(const CommandContext& context, const std::string& schema,
-                       const devices::Device& device);
-/// Header of a command that works on files alone.
-ResultHeader headerFor(const CommandContext& context, const std::string& schema);
 
 /// Same model, identity and overrides: what was measured on one holds for the other. A simulated motor with
 /// other overrides is another motor.

@@ -3,6 +3,7 @@
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
 #include "app/experiments/run_report.h"
+#include "app/headless/exit_code.h"
 #include "app/headless/recording_file.h"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include "app/actuators/htm/known_motor.h"
 #include "app/documents/text/numbers.h"
 #include "app/figures/disturbance_figure.h"
+#include "app/headless/exit_code.h"
 #include "app/procedures/tune/disturbance.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"

@@ -1,8 +1,8 @@
 #include "app/experiments/step_configs.h"
 
-#include "app/cli/command_support.h"
 #include "app/documents/presets.h"
 #include "app/documents/text/names.h"
+#include "app/documents/text/procedure_choices.h"
 #include "app/procedures/frequency/frequency_board.h"
 #include "control/base/units.h"
 

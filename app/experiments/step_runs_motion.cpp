@@ -2,6 +2,7 @@
 #include "app/documents/result_header.h"
 #include "app/experiments/step_configs.h"
 #include "app/experiments/step_runs.h"
+#include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
 #include "app/headless/waiting_device.h"
 #include "app/procedures/base/procedure_steps.h"
@@ -18,7 +19,7 @@ public:
     ReturnWait(StepRun& run, const ExperimentStep& step, RecordingOutput& file)
         : m_device(isWaitingStep(step) ? dynamic_cast<devices::ReturningDevice*>(&run.device) : nullptr) {
         if (m_device != nullptr) {
-            m_device->setEvents(eventsTo(run.context, file));
+            m_device->setEvents(eventsTo(warningsTo(run.context.console), file));
             m_device->setWaiting(true);
         }
     }
@@ -73,8 +74,9 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
 }
 
 Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step) {
-    RecordingOutput file(run.context, run.device, run.folder + "/" + step.name + ".csv",
-                         headerFor(run.context, "halbench.run/1", run.device).started);
+    RecordingOutput file(run.device, run.folder + "/" + step.name + ".csv",
+                         headerFor(run.context, "halbench.run/1", run.device).started,
+                         warningsTo(run.context.console));
     Recording kept; // for the report
     RecordOutlet outlet = file.outlet();
     outlet.append = [&kept, toFile = outlet.append](const SampleBlock& block) {

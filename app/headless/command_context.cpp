@@ -88,6 +88,10 @@ Result<void> requireConsent(const CommandContext& context, devices::Device& devi
     return device.clearStop();
 }
 
+std::function<void(const std::string&)> warningsTo(Console& console) {
+    return [&console](const std::string& text) { console.log(LogLevel::Warning, text); };
+}
+
 Result<void> checkInterrupt(const CommandContext& context) {
     const int signal = context.interruptSignal.load();
     if (signal == 0) {

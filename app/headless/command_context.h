@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/documents/result_header.h"
 #include "app/headless/command_options.h"
 #include "app/procedures/base/procedure.h"
 #include "devices/open/open_device.h"
@@ -10,9 +11,6 @@
 #include <string>
 
 namespace halbench::app {
-
-/// The wall clock's now: ISO 8601, UTC.
-std::string wallTime();
 
 /// What every command gets. Thread: the main one.
 struct CommandContext {
@@ -46,6 +44,9 @@ using Admission = std::function<Result<void>(const devices::DeviceInfo& device)>
 /// that would take it from whoever works with it. Errors: as the two above; of `admits`.
 Result<std::unique_ptr<devices::Device>> openToMove(const CommandContext& context, const std::string& uri,
                                                     const Admission& admits = {});
+
+/// Writes warnings on the console, which must outlive it.
+std::function<void(const std::string&)> warningsTo(Console& console);
 
 /// Refuses with Interrupted or Terminated once a signal arrived.
 Result<void> checkInterrupt(const CommandContext& context);

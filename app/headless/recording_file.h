@@ -1,11 +1,12 @@
 #pragma once
 
-#include "app/headless/command_context.h"
 #include "app/procedures/record/record_procedure.h"
 #include "devices/recording/recording_writer.h"
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace halbench::app {
@@ -28,12 +29,15 @@ std::vector<devices::RecordingMeta::Marker> segmentMarkers(const Recording& reco
 Result<void> writeRecording(const std::string& path, const Recording& recording, devices::Device& device,
                             RecordingNotes notes);
 
+/// Receives a warning for people, a sentence without its end.
+using WarningSink = std::function<void(const std::string& text)>;
+
 /// A recording that goes into its file as it comes (resources/help/command-line.md, "Recording").
 /// Thread: the procedure's.
 class RecordingOutput {
 public:
-    RecordingOutput(CommandContext& context, devices::Device& device, std::string path, std::string started)
-        : m_context(context), m_device(device), m_path(std::move(path)), m_started(std::move(started)) {}
+    RecordingOutput(devices::Device& device, std::string path, std::string started, WarningSink warn)
+        : m_device(device), m_path(std::move(path)), m_started(std::move(started)), m_warn(std::move(warn)) {}
 
     /// For runRecord(); this object must outlive it. Errors: FileSystem, Usage.
     RecordOutlet outlet();
@@ -49,11 +53,11 @@ public:
 private:
     Result<void> begin(const StreamLayout& layout);
 
-    CommandContext& m_context;
     devices::Device& m_device;
     std::string m_path;
     std::string m_started;
     std::string m_automaticName;
+    WarningSink m_warn;
     std::unique_ptr<devices::RecordingWriter> m_writer;
 };
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <utility>
 
 namespace halbench::app {
 
@@ -34,16 +35,15 @@ std::unique_ptr<devices::ReturningDevice> waitingDevice(CommandContext& context,
     return std::make_unique<devices::ReturningDevice>(std::move(device), std::move(back), hostTime());
 }
 
-devices::ReturningDevice::Events eventsTo(CommandContext& context, RecordingOutput& output) {
+devices::ReturningDevice::Events eventsTo(WarningSink warn, RecordingOutput& output) {
     devices::ReturningDevice::Events events;
-    events.onLost = [&](const Error& why, double stream_s) {
+    events.onLost = [warn, &output](const Error& why, double stream_s) {
         output.addMarker(stream_s, "connection lost");
-        context.console.log(LogLevel::Warning, why.message + "; waiting for the device");
+        warn(why.message + "; waiting for the device");
     };
-    events.onReturned = [&](double outage_s, double stream_s) {
+    events.onReturned = [warn = std::move(warn), &output](double outage_s, double stream_s) {
         output.addMarker(stream_s, "connection back");
-        context.console.log(LogLevel::Warning,
-                            fmt::format("the device is back after {:.3g} s, recording goes on", outage_s));
+        warn(fmt::format("the device is back after {:.3g} s, recording goes on", outage_s));
     };
     return events;
 }

@@ -13,7 +13,7 @@ namespace halbench::app {
 std::unique_ptr<devices::ReturningDevice> waitingDevice(CommandContext& context, const std::string& uri,
                                                         std::unique_ptr<devices::Device> device);
 
-/// Loss and return as markers of the recording and as warnings. Both must outlive the events.
-devices::ReturningDevice::Events eventsTo(CommandContext& context, RecordingOutput& output);
+/// Loss and return as markers of the recording and as warnings. The output must outlive the events.
+devices::ReturningDevice::Events eventsTo(WarningSink warn, RecordingOutput& output);
 
 } // namespace halbench::app

@@ -1,9 +1,9 @@
 #include "app/tuning/what_if_report.h"
 
-#include "app/cli/command_support.h"
 #include "app/documents/document_units.h"
 #include "app/documents/result_header.h"
 #include "app/documents/text/numbers.h"
+#include "app/documents/text/result_text.h"
 #include "app/procedures/tune/tune.h"
 #include "app/tuning/loop_conditions.h"
 #include "control/base/units.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/experiments/experiment_runner.h"
+#include "app/headless/command_header.h"
 #include "devices/open/open_device.h"
 
 #include <gtest/gtest.h>
