@@ -2,10 +2,11 @@
 import sys
 
 import rules_data
+import rules_house
 import rules_source
 from tree import read_tree
 
-RULES = rules_source.RULES | rules_data.RULES
+RULES = rules_house.RULES | rules_source.RULES | rules_data.RULES
 
 
 def main():

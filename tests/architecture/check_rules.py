@@ -3,11 +3,13 @@ import os
 import re
 import unittest
 
+import house
 import rules_data
+import rules_house
 import rules_source
 from tree import code_only, function_lengths
 
-RULES = rules_source.RULES | rules_data.RULES
+RULES = rules_house.RULES | rules_source.RULES | rules_data.RULES
 LONG_BODY = "void f(int a) {\n" + "    a++;\n" * 80 + "}\n"
 UNITS = 'Unit{"rad", "rad", "angle"},\nUnit{"A/rad", "A_per_rad", "gain"},\n'
 BOARD = {"devices/firmware/htm/t.c": '"position" "gain.kp"', "control/base/units.cpp": UNITS}
@@ -19,18 +21,46 @@ def theme(text, background="#ffffff", **more):
     return "{" + colours + "}"
 
 
+def shown(**other):
+    """The table of the page, with other lines for some folders."""
+    lines = {folder: f"| `{folder}` | holds | {text or 'nothing'} |" for folder, text in house.MAY_INCLUDE.items()}
+    return {rules_house.PAGE: "\n".join((lines | {name.replace("__", "/"): line for name, line in other.items()}).values())}
+
+
 # rule: (wrong trees, right trees)
 SAMPLES = {
     "allowed_includes": (
         [{"control/base/a.h": '#include "models/fields/p.h"\n'}, {"control/signals/a.cpp": '#include "control/lti/t.h"\n'},
-         {"widgets/a.h": '  #  include "devices/device.h"\n'}, {"widgets/a.h": '#include "devices/transport/transport.h"\n'},
+         {"control/assess/a.h": '#include "control/robustness/r.h"\n'}, {"models/fields/a.h": '#include "models/htm/p.h"\n'},
+         {"models/plants/a.h": ""}, {"widgets/a.h": ""}, {"widgets/controls/a.h": '  #  include "devices/device.h"\n'},
+         {"widgets/theme/a.h": '#include "devices/transport/transport.h"\n'},
+         {"devices/device.h": '#include "app/cli/a.h"\n'}, {"devices/firmware/a.c": '#include "control/base/a.h"\n'},
+         {"devices/simulated/a.h": '#include "devices/open/open_device.h"\n'},
+         {"devices/xcp/a.cpp": '#include "devices/transport/tcp_transport.h"\n'}, {"devices/a.h": '#include "devices/xcp/a.h"\n'},
          {"app/procedures/a.cpp": '#include "devices/xcp/xcp_master.h"\n'},
-         {"app/procedures/a.cpp": '#include "app/cli/a.h"\n'}, {"devices/firmware/a.c": '#include "control/base/a.h"\n'},
-         {"models/fields/a.h": '#include "models/htm/p.h"\n'}, {"devices/device.h": '#include "app/cli/a.h"\n'},
-         {"devices/xcp/a.cpp": '#include "devices/transport/tcp_transport.h"\n'}],
-        [{"control/design/a.h": '#include "control/lti/t.h"\n#include <vector>\n'},
-         {"app/procedures/a.cpp": '#include "devices/device.h"\n'}, {"devices/simulated/a.h": '#include "models/fields/p.h"\n'},
-         {"tests/x/a.cpp": '#include "app/cli/a.h"\n'}]),
+         {"app/procedures/base/a.cpp": '#include "app/cli/a.h"\n'},
+         {"app/documents/a.cpp": '#include "app/headless/console.h"\n'}, {"app/experiments/a.cpp": '#include "app/cli/a.h"\n'},
+         {"app/tuning/a.cpp": '#include "app/cli/a.h"\n'}, {"app/documents/a.cpp": '#include "app/experiments/a.h"\n'},
+         {"app/workspaces/device/a.cpp": '#include "devices/simulated/a.h"\n'},
+         {"app/experiments/a.cpp": '#include "devices/simulated/a.h"\n'},
+         {"app/workspaces/tune/a.cpp": '#include "app/experiments/a.h"\n'}, {"app/cli/a.cpp": '#include "tests/a.h"\n'}],
+        [{"control/design/a.h": '#include "control/lti/t.h"\n#include <vector>\n'}, {"devices/xcp/a.h": '#include "devices/transport/transport.h"\n'},
+         {"app/procedures/base/a.cpp": '#include "devices/device.h"\n#include "app/procedures/tune/a.h"\n'},
+         {"devices/simulated/a.h": '#include "models/htm/p.h"\n'}, {"tests/x/a.cpp": '#include "app/cli/a.h"\n'}]),
+    "no_two_folders_include_each_other": (
+        [{"a/b/x.h": '#include "a/c/y.h"\n', "a/c/z.cpp": '#include "a/b/x.h"\n'},
+         {"a/x.h": '#include "a/b/y.h"\n', "a/b/z.h": '#include "a/x.h"\n'},
+         {"a/x.h": '#include "b/y.h"\n', "b/z.h": '#include "c/x.h"\n', "c/y.h": '#include "a/z.h"\n'}],
+        [{"a/b/x.h": '#include "a/c/y.h"\n#include "a/b/y.h"\n', "a/c/y.h": '#include <a/b/x.h>\n'},
+         {"a/x.h": '#include "b/y.h"\n', "tests/b/z.cpp": '#include "a/x.h"\n'}]),
+    "folder_sizes": (
+        [{f"control/base/a{i}.h": "" for i in range(61)}],
+        [{f"control/base/a{i}.h": "" for i in range(60)}, {f"tests/control/a{i}.cpp": "" for i in range(90)},
+         {f"control/{folder}/a{i}.h": "" for i in range(40) for folder in ("base", "lti")}]),
+    "page_shows_the_house": (
+        [shown(control__lti="| `control/lti` | holds | control/base, law |"), shown(control__lti=""),
+         shown(control__base="| `control/base` | holds | control/lti |"), shown(app__other="| `app/other` | holds | nothing |")],
+        [shown(), shown(devices="| `devices/*.h` | the interface | control/base | QtCore |"), shown(tests="| `tests` | tests | |")]),
     "allowed_qt": (
         [{"control/base/a.h": "#include <QtCore/QString>\n"}, {"models/fields/a.cpp": "#include <QString>\n"},
          {"devices/xcp/packets.cpp": "#include <QtCore/QFile>\n"}, {"devices/firmware/a.c": "#include <QtCore/QFile>\n"},
@@ -152,9 +182,15 @@ class Rules(unittest.TestCase):
                     self.assertEqual(list(RULES[name](sample)), [])
 
     def test_every_folder_of_the_house_refuses_something(self):
-        for folder in rules_source.HOUSE:
+        for folder in house.MAY_INCLUDE:
             sample = {f"{folder}/a.cpp": '#include "tests/a.h"\n'}
-            self.assertTrue(list(rules_source.allowed_includes(sample)), folder)
+            self.assertTrue(list(rules_house.allowed_includes(sample)), folder)
+
+    def test_the_house_has_no_cycles_and_names_its_own_folders(self):
+        arrows = {folder: house.folders_in(text) for folder, text in house.MAY_INCLUDE.items()}
+        self.assertEqual(house.cycles(arrows), [])
+        for folder, others in arrows.items():
+            self.assertLessEqual(others, set(arrows), folder)
 
 
 class Reading(unittest.TestCase):

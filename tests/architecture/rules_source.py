@@ -1,71 +1,29 @@
 """Rules about source text. A rule takes {path: text} and yields (path, line, message)."""
 import re
 
+from house import folder_of
 from tree import code_only, comments, function_lengths, includes, is_product, is_source, line_of
 
-EVERY_DEVICE_HEADER = r"devices/[a-z_]+\.h"
-DEVICE_ONLY = ["control/", EVERY_DEVICE_HEADER]
-
-# folder: (project headers it may include, Qt modules it may use); the longest matching folder counts.
-# The same as the table of resources/help/architecture.md, section 1.
-HOUSE = {
-    "control/base": (["control/base/"], []),
-    "control/lti": (["control/(base|lti)/"], []),
-    "control/analysis": (["control/(base|lti|analysis)/"], []),
-    "control/signals": (["control/(base|signals)/"], []),
-    "control/history": (["control/(base|signals|history)/"], []),
-    "control/identify": (["control/(base|identify)/"], []),
-    "control/law": (["control/(base|lti|analysis|law)/"], []),
-    "control/assess": (["control/(base|lti|analysis|law|assess|robustness)/"], []),
-    "control/robustness": (["control/(base|lti|analysis|law|assess|robustness)/"], []),
-    "control/design": (["control/(base|lti|analysis|law|assess|design)/"], []),
-    "models/fields": (["control/base/", "models/fields/"], []),
-    "models/sensors": (["control/base/", "models/sensors/"], []),
-    "models/drives": (["control/base/", "models/drives/"], []),
-    "models/thermal": (["models/thermal/"], []),
-    "models/estimators": (["control/base/", "models/(fields|estimators)/"], []),
-    "models/planar": (["control/base/", "models/(planar|fields|sensors|drives|thermal)/"], []),
-    "models/spherical": (["control/base/", "models/(spherical|fields)/"], []),
-    "models": (["control/", "models/"], []),
-    "devices/firmware": (["devices/firmware/"], []),
-    "devices/transport": (["control/base/", "devices/transport/"], ["QtCore", "QtSerialPort"]),
-    "devices/xcp": (["control/base/", "devices/xcp/", "devices/transport/transport.h", EVERY_DEVICE_HEADER], []),
-    "devices/simulated": (["control/", "models/", "devices/"], []),
-    "devices/recording": (["control/base/", "devices/recording/", EVERY_DEVICE_HEADER], ["QtCore"]),
-    "devices/acquisition": (["control/base/", "devices/(acquisition|recording)/", EVERY_DEVICE_HEADER], ["QtCore"]),
-    "devices/formats": (["control/base/", "devices/(acquisition|formats|recording)/", EVERY_DEVICE_HEADER], ["QtCore"]),
-    "devices/history": (["control/base/", "devices/history/", EVERY_DEVICE_HEADER], ["QtCore"]),
-    "devices": (["control/base/", "devices/"], ["QtCore"]),
-    "app/actuators": (["control/", "models/", "devices/simulated/", EVERY_DEVICE_HEADER, "app/procedures/", "app/actuators/"],
-                      ["QtCore"]),
-    "app/procedures": (["control/", "models/", "devices/acquisition/", "devices/recording/", EVERY_DEVICE_HEADER,
-                        "app/procedures/"], ["QtCore"]),
-    "app/session": (["control/", "devices/(acquisition|open|recording)/", EVERY_DEVICE_HEADER, "app/procedures/",
-                     "app/session/"], ["QtCore"]),
-    "app/figures": (["control/", EVERY_DEVICE_HEADER, "app/procedures/", "app/figures/", "widgets/"],
-                    ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
-    "app/report": (["control/", "models/", EVERY_DEVICE_HEADER, "app/procedures/", "app/actuators/", "app/figures/",
-                    "app/report/", "widgets/"], ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
-    "widgets": (["control/", "models/", "widgets/"], ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
-    "app": (["control/", "models/", "devices/", "app/", "widgets/"], ["QtCore", "QtGui", "QtSvg", "QtWidgets"]),
-} | {f"app/{folder}": (["control/", "models/", "devices/", "app/(procedures|actuators|figures|report)/",
-                        "app/(cli|documents|experiments|headless|recordings|tuning)/"], ["QtCore"])
-     for folder in ("cli", "documents", "experiments", "headless", "recordings", "tuning")}
+# folder: the Qt modules that it may use; the longest matching folder counts.
+WINDOW = ["QtCore", "QtGui", "QtSvg", "QtWidgets"]
+QT = {
+    "control": [],
+    "models": [],
+    "devices/firmware": [],
+    "devices/transport": ["QtCore", "QtSerialPort"],
+    "devices/xcp": [],
+    "devices/simulated": [],
+    "devices": ["QtCore"],
+    "widgets": WINDOW,
+    "app": WINDOW,
+} | {f"app/{folder}": ["QtCore"] for folder in (
+    "actuators", "procedures", "session", "cli", "documents", "experiments", "headless", "recordings", "tuning")}
 C_HEADERS = {"stdint.h", "stddef.h", "string.h", "math.h", "stdbool.h", "limits.h", "float.h"}
 
 
 def home(path):
-    folders = [f for f in HOUSE if path.startswith(f + "/")]
+    folders = [f for f in QT if path.startswith(f + "/")]
     return max(folders, key=len) if folders else None
-
-
-def allowed_includes(files):
-    for path, text in files.items():
-        folder = home(path)
-        if folder and is_product(path):
-            for line, mark, header in includes(text):
-                if mark == '"' and not any(re.match(p, header) for p in HOUSE[folder][0]):
-                    yield path, line, f"{folder} may not include {header}"
 
 
 def allowed_qt(files):
@@ -75,15 +33,15 @@ def allowed_qt(files):
             continue
         for line, mark, header in includes(text):
             module = header.split("/")[0]
-            if mark == "<" and header.startswith("qwt") and folder not in ("widgets", "app/report"):
+            if mark == "<" and header.startswith("qwt") and not path.startswith(("widgets/", "app/report/")):
                 yield path, line, f"{folder} may not use Qwt"
             if mark != "<" or not re.match(r"Q[A-Z]|Qt[A-Z]", header):
                 continue
-            if "/" not in header and "QtWidgets" in HOUSE[folder][1]:
+            if "/" not in header and "QtWidgets" in QT[folder]:
                 continue
             if "/" not in header:
                 yield path, line, f"write the module: <QtCore/{header}> or another"
-            elif module not in HOUSE[folder][1]:
+            elif module not in QT[folder]:
                 yield path, line, f"{folder} may not use {module}"
 
 
@@ -200,7 +158,7 @@ def cites_only_what_is_here(files):
 
 # Run as a whole by the program tests, not linked into a unit test.
 TESTED_BY_THE_PROGRAM = ("app/cli/program", "app/cli/command", "app/headless/command", "app/headless/interrupt", "app/headless/console",
-                         "app/main.cpp")
+                         "app/program/main.cpp")
 
 
 def every_source_has_its_test(files):
@@ -231,9 +189,17 @@ def tested_headers(files):
 
 def own_includes(files, path):
     """What a file includes from its own part of the house."""
-    folder = home(path)
+    part = own_part(path)
     return {header for _, mark, header in includes(files.get(path, ""))
-            if mark == '"' and folder and header.startswith(folder + "/")}
+            if mark == '"' and part and header.startswith(part)}
+
+
+def own_part(path):
+    """Its folder; where parts are put together, all of them."""
+    for place, part in ((PANELS, "app/"), ("devices/open/", "devices/"), ("widgets/", "widgets/")):
+        if path.startswith(place):
+            return part
+    return f"{folder_of(path)}/" if folder_of(path) else None
 
 
 # What moves the motor or judges it is asked for as a whole; a panel that took parts of it would give other numbers than
@@ -269,6 +235,6 @@ def panels_run_whole_procedures(files):
 
 
 RULES = {rule.__name__: rule for rule in (
-    allowed_includes, allowed_qt, firmware_is_plain_c, firmware_has_its_licence, file_sizes, function_sizes,
+    allowed_qt, firmware_is_plain_c, firmware_has_its_licence, file_sizes, function_sizes,
     forbidden_words, nothing_unfinished, names_and_guards, cites_only_what_is_here, every_source_has_its_test,
     panels_run_whole_procedures)}
