@@ -59,8 +59,8 @@ hb_htm_calibration SimulatedBoard::initialCalibration() {
     return page;
 }
 
-std::uint8_t SimulatedBoard::store(void* context, const hb_htm_calibration* page) {
-    static_cast<SimulatedBoard*>(context)->m_stored = *page;
+std::uint8_t SimulatedBoard::store(void* context, const void* page) {
+    static_cast<SimulatedBoard*>(context)->m_stored = *static_cast<const hb_htm_calibration*>(page);
     return 1;
 }
 
@@ -74,8 +74,8 @@ void SimulatedBoard::updateTruth() {
 void SimulatedBoard::redrawFrictionAtNewSegment() {
     const bool isRestarted = m_board.reference.running != 0 && m_board.reference.ticks < m_referenceTicks;
     m_referenceTicks = m_board.reference.ticks;
-    if (m_board.signals.reference_segment != m_segment || isRestarted) {
-        m_segment = m_board.signals.reference_segment;
+    if (m_board.signals.board.reference_segment != m_segment || isRestarted) {
+        m_segment = m_board.signals.board.reference_segment;
         m_plant.redrawFriction();
     }
 }
@@ -120,13 +120,13 @@ void SimulatedBoard::advanceTo(double time_s) {
 }
 
 void SimulatedBoard::receive(std::span<const std::uint8_t> packet) {
-    hb_htm_receive(&m_board, packet.data(),
-                   static_cast<std::uint16_t>(std::min<std::size_t>(packet.size(), 65535)));
+    hb_board_receive(&m_board.board, packet.data(),
+                     static_cast<std::uint16_t>(std::min<std::size_t>(packet.size(), 65535)));
 }
 
 std::size_t SimulatedBoard::transmit(std::span<std::uint8_t> packet) {
-    return hb_htm_transmit(&m_board, packet.data(),
-                           static_cast<std::uint16_t>(std::min<std::size_t>(packet.size(), 65535)));
+    return hb_board_transmit(&m_board.board, packet.data(),
+                             static_cast<std::uint16_t>(std::min<std::size_t>(packet.size(), 65535)));
 }
 
 } // namespace halbench::devices

@@ -46,7 +46,7 @@ public:
     /// Octets of the next packet for the master, put into `packet`; 0 if there is none.
     std::size_t transmit(std::span<std::uint8_t> packet);
     /// Message counter of the packet transmitted last.
-    std::uint16_t messageCounter() const { return hb_htm_counter(&m_board); }
+    std::uint16_t messageCounter() const { return hb_board_counter(&m_board.board); }
 
     /// From now on Hall sensor a reads this code whatever the field is: a broken sensor, for tests.
     void breakHallSensor(double code) { m_brokenHallCode = code; }
@@ -61,7 +61,7 @@ private:
         double speed_rad_s;
     };
     static const hb_signal TruthSignals[2];
-    static std::uint8_t store(void* context, const hb_htm_calibration* page);
+    static std::uint8_t store(void* context, const void* page);
 
     SimulatedBoard(models::HtmPlant plant, std::uint64_t seed, Line line);
     hb_htm_calibration initialCalibration();

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto board = std::make_unique<hb_htm>();
     hb_htm_init(board.get(), nullptr);
     const std::uint8_t connect[] = {0xFF, 0x00};
-    hb_htm_receive(board.get(), connect, sizeof connect);
+    hb_board_receive(&board->board, connect, sizeof connect);
     const hb_htm_inputs inputs = {{800.0F, 511.5F}, {153.0F, 153.0F}};
     hb_htm_outputs outputs;
     std::uint8_t packet[HB_MAX_DTO];
@@ -25,9 +25,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             // A copy of its own, so that a read beyond the packet is seen.
             const std::unique_ptr<std::uint8_t[]> copy(new std::uint8_t[length]);
             std::copy_n(data + place + 1, length, copy.get());
-            hb_htm_receive(board.get(), copy.get(), static_cast<std::uint16_t>(length));
+            hb_board_receive(&board->board, copy.get(), static_cast<std::uint16_t>(length));
         }
-        while (hb_htm_transmit(board.get(), packet, sizeof packet) != 0) {
+        while (hb_board_transmit(&board->board, packet, sizeof packet) != 0) {
         }
         place += length + 1;
     }

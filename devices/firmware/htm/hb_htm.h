@@ -9,13 +9,11 @@
  * Timing (resources/help/htm-theory.md 3.8): tick k at t = k HB_TICK_MS samples, decodes, runs the position
  * loop every 10 ms, commutates and sets the outputs, which act immediately. The device clock is t. */
 
-#include "devices/firmware/control/hb_capture.h"
+#include "devices/firmware/board/hb_board.h"
 #include "devices/firmware/control/hb_law.h"
 #include "devices/firmware/control/hb_reference.h"
-#include "devices/firmware/control/hb_safety.h"
 #include "devices/firmware/control/hb_sensing.h"
 #include "devices/firmware/control/hb_speed.h"
-#include "devices/firmware/xcp/hb_xcp.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -33,7 +31,7 @@ typedef struct {
     uint8_t output_enabled; /* 0: both phases at zero */
 } hb_htm_outputs;
 
-enum hb_mode { HB_MODE_IDLE, HB_MODE_CURRENT, HB_MODE_POSITION, HB_MODE_D_AXIS };
+enum hb_htm_mode { HB_MODE_CURRENT = HB_MODE_IDLE + 1, HB_MODE_POSITION, HB_MODE_D_AXIS };
 
 /* One calibration page. Units are those of the A2L; order is the order on the wire. */
 typedef struct {
@@ -58,17 +56,11 @@ typedef struct {
 /* Parameters that are not paged. */
 typedef struct {
     float setpoint; /* A, or rad relative to the position at arming */
-    uint16_t watchdog_ms;
-    uint8_t arm, mode, stop;
-#if HB_FEATURE_TRIAL
-    uint8_t trial;
-#endif
-    uint8_t reference_start;
+    hb_board_live board;
     hb_reference_config reference;
     hb_plateau_config plateaus;
 #if HB_FEATURE_CAPTURE
-    hb_capture_config capture;
-    uint8_t capture_start;
+    hb_board_capture capture;
 #endif
 } hb_htm_live;
 
@@ -76,39 +68,23 @@ typedef struct {
 typedef struct {
     int32_t position;
     float speed_rad_s;
-    float reference; /* rad in mode position, A in the current modes */
-    float current_command_A;
+    float reference;         /* rad in mode position, A in the current modes */
+    float current_command_A; /* held between samples of the position loop */
     float current_A[2];
     float hall_T[2];
     float temperature_degC[2];
-    uint32_t torn_count;
-    uint32_t capture_time_us;
-    uint16_t reference_segment;
-    uint8_t status, fault;
-    uint8_t reference_running, capture_state;
+    hb_board_signals board;
 } hb_htm_signals;
 
 #define HB_HTM_COUNTS_PER_TURN 262144L
 
-typedef struct {
-    const char* device;  /* identity, e.g. "sim-htm-1"; NULL: "htm" */
-    const char* variant; /* appended to the EPK; NULL: nothing */
-#if HB_FEATURE_FULL
-    const char* transport_a2l; /* A2L block of the line the board is served on; NULL: HB_A2L_TRANSPORT */
-    uint16_t max_dto;          /* longest measurement packet that line carries; 0: HB_MAX_DTO */
-    hb_signal_table extra;     /* further signals of the caller, e.g. the simulated truth; count 0: none */
-#endif
-    /* Stores a page in non-volatile memory: one of hb_store. NULL: SET_REQUEST is answered with an error. */
-    uint8_t (*store)(void* context, const hb_htm_calibration* page);
-    void* store_context;
-    const hb_htm_calibration* stored; /* page to start with; NULL: the defaults (preset "published") */
-} hb_htm_config;
+typedef hb_board_config hb_htm_config;
 
 typedef struct hb_htm {
-    hb_xcp xcp;
+    hb_board board;
     hb_htm_calibration pages[2];
 #if HB_FEATURE_TRIAL
-    hb_htm_calibration trial_page; /* what ran when the trial began */
+    hb_htm_calibration trial_page;
 #endif
     hb_htm_live live;
     hb_htm_signals signals;
@@ -116,46 +92,18 @@ typedef struct hb_htm {
     hb_speed speed;
     hb_law law;
     hb_reference reference;
-    hb_safety safety;
-#if HB_FEATURE_CAPTURE
-    hb_capture capture;
-#endif
-    uint32_t tick; /* number of ticks done */
     int32_t origin_turns;
     float origin_angle_rad; /* where the rotor was when armed */
     float excursion_rad;    /* since arming, where this tick needs it */
-    float command_A;        /* held between position-loop samples */
-    uint8_t mode;           /* mode in force; a new one restarts the loop */
     float flowing_A[2];     /* written at the last tick: what the sensors see until this one */
-    uint8_t loop_phase;     /* ticks since the position loop ran */
-    uint8_t reference_pending, reference_started;
-    uint8_t reference_order; /* number of the last start, so that its repetition is known */
-#if HB_FEATURE_CAPTURE
-    uint8_t capture_order;
-#endif
-    uint8_t (*store)(void* context, const hb_htm_calibration* page);
-    void* store_context;
 } hb_htm;
 
-/* Cannot fail; a NULL config means all defaults. Set-points zero, disarmed, not connected. */
-void hb_htm_init(hb_htm* board, const hb_htm_config* config);
+/* Cannot fail; a NULL config means all defaults. Set-points zero, disarmed, not connected. Everything else of
+ * the board (faults, packets) is that of `board` in it. */
+void hb_htm_init(hb_htm* motor, const hb_htm_config* config);
 
 /* Every HB_TICK_MS. A value that is not finite anywhere leads to a latched fault and zero outputs. */
-void hb_htm_fast_tick(hb_htm* board, const hb_htm_inputs* inputs, hb_htm_outputs* outputs);
-
-/* What only the board itself can notice, e.g. HB_FAULT_OUTPUT: latched like any fault, outputs at zero from
- * the next tick on. */
-void hb_htm_raise_fault(hb_htm* board, uint8_t fault);
-
-/* One XCP packet from the master; may be any octets. */
-void hb_htm_receive(hb_htm* board, const uint8_t* packet, uint16_t length);
-
-/* Next packet for the master, 0 if none; HB_MAX_DTO octets always suffice. */
-uint16_t hb_htm_transmit(hb_htm* board, uint8_t* packet, uint16_t capacity);
-
-/* Message counter of the packet taken last, for the transport's CTR field; a gap = samples dropped in the
- * board. */
-uint16_t hb_htm_counter(const hb_htm* board);
+void hb_htm_fast_tick(hb_htm* motor, const hb_htm_inputs* inputs, hb_htm_outputs* outputs);
 
 #ifdef __cplusplus
 }

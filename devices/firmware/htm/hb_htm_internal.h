@@ -9,36 +9,22 @@ extern "C" {
 #endif
 
 /* hb_htm_tables.c */
-extern const hb_signal hb_htm_signal_table[];
-extern const uint16_t hb_htm_signal_count;
-extern const hb_parameter hb_htm_parameter_table[];
-extern const uint16_t hb_htm_parameter_count;
-extern const hb_event hb_htm_event_table[];
+extern const HB_FLASH hb_actuator hb_htm_actuator;
 enum { HB_HTM_EVENT_FAST, HB_HTM_EVENT_POSITION, HB_HTM_EVENT_COUNT };
-/* The words of a fault: HB_ROM text up to its end or to '|'. */
-hb_rom_char* hb_htm_fault_text(uint8_t fault);
+enum { HB_HTM_LOOP_TICKS = 10 / HB_TICK_MS };
 
-/* hb_htm_drive.c: arming and its opposite. */
-/* Starts the mode in force from the present position with set-points at zero. */
-void hb_htm_enter_mode(hb_htm* board, uint8_t mode);
-void hb_htm_arm(hb_htm* board);
-/* Every output and set-point to zero; what is latched stays latched. */
-void hb_htm_release(hb_htm* board);
-uint8_t hb_htm_stop(hb_htm* board, uint8_t latch);
-#if HB_FEATURE_TRIAL
-/* hb.trial = 1 keeps a copy of the calibration. When the master is lost before it wrote 0 again (watchdog,
- * disconnect, a new connection) the copy runs again, so that nobody finds half-tried gains. */
-void hb_htm_begin_trial(hb_htm* board);
-void hb_htm_abandon_trial(hb_htm* board);
-#endif
+/* hb_htm_loop.c: the hooks, from the sampled angle to the phase currents. `motor` is an hb_htm, `page` an
+ * hb_htm_calibration. */
+void hb_htm_sense(void* motor, const void* page, const void* inputs);
+void hb_htm_supervise(void* motor, const void* page);
+void hb_htm_control(void* motor, const void* page);
+void hb_htm_drive(void* motor, const void* page);
+uint8_t hb_htm_advance(void* motor);
 
-/* hb_htm_loop.c: one tick from the sampled angle to the phase currents. */
-void hb_htm_sense(hb_htm* board, const hb_htm_calibration* page, const hb_htm_inputs* inputs);
-void hb_htm_supervise(hb_htm* board, const hb_htm_calibration* page);
-void hb_htm_control(hb_htm* board, const hb_htm_calibration* page);
-void hb_htm_commutate(hb_htm* board, const hb_htm_calibration* page);
-/* Rotor angle since arming, rad. */
-float hb_htm_excursion(const hb_htm* board);
+/* hb_htm.c */
+void hb_htm_enter_mode(void* motor, uint8_t mode);
+void hb_htm_stop_reference(void* motor);
+uint8_t hb_htm_check(void* motor, uint16_t offset, float value);
 
 #ifdef __cplusplus
 }

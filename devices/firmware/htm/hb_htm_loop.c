@@ -21,7 +21,7 @@ static uint8_t asInteger(float parameter) {
     return (uint8_t)(parameter + 0.5F);
 }
 
-static hb_hall_correction correctionOf(const hb_htm* board, const hb_htm_calibration* page) {
+static hb_hall_correction correctionOf(const hb_htm* motor, const hb_htm_calibration* page) {
     hb_hall_correction correction;
     float stray = isOn(page->stray_enabled) ? page->stray_coefficient : 0.0F;
     correction.offset_T[0] = page->hall_offset_a;
@@ -29,8 +29,8 @@ static hb_hall_correction correctionOf(const hb_htm* board, const hb_htm_calibra
     correction.gain_ratio = page->hall_gain_ratio;
     correction.quadrature_rad = page->hall_quadrature;
     correction.amplitude_T = page->hall_amplitude;
-    correction.stray_T[0] = stray * board->flowing_A[0];
-    correction.stray_T[1] = stray * board->flowing_A[1];
+    correction.stray_T[0] = stray * motor->flowing_A[0];
+    correction.stray_T[1] = stray * motor->flowing_A[1];
     correction.decode = isOn(page->decode_method) ? HB_DECODE_LINEAR : HB_DECODE_ARCTANGENT;
     return correction;
 }
@@ -43,18 +43,21 @@ static int32_t positionCounts(const hb_sensing* sensing) {
     return (int32_t)((uint32_t)sensing->turns * (uint32_t)HB_HTM_COUNTS_PER_TURN + (uint32_t)rounded);
 }
 
-void hb_htm_sense(hb_htm* board, const hb_htm_calibration* page, const hb_htm_inputs* inputs) {
-    hb_sensing* sensing = &board->sensing;
-    uint8_t fault = hb_sensing_convert(sensing, inputs->hall_code, inputs->temperature_code);
+void hb_htm_sense(void* motor, const void* page, const void* inputs) {
+    hb_htm* self = (hb_htm*)motor;
+    const hb_htm_calibration* calibration = (const hb_htm_calibration*)page;
+    const hb_htm_inputs* codes = (const hb_htm_inputs*)inputs;
+    hb_sensing* sensing = &self->sensing;
+    uint8_t fault = hb_sensing_convert(sensing, codes->hall_code, codes->temperature_code);
     if (fault != HB_FAULT_NOT_FINITE) {
-        hb_hall_correction correction = correctionOf(board, page);
-        float least_T = LEAST_AMPLITUDE_RATIO * page->hall_amplitude;
+        hb_hall_correction correction = correctionOf(self, calibration);
+        float least_T = LEAST_AMPLITUDE_RATIO * calibration->hall_amplitude;
         float amplitude_T2;
         uint8_t jumped;
         float angle = hb_sensing_decode(sensing, &correction, &amplitude_T2);
 #if HB_FEATURE_ERROR_MAP
-        if (isOn(page->errormap_enabled)) {
-            angle = hb_error_map_correct(angle, page->errormap_cosine, page->errormap_sine);
+        if (isOn(calibration->errormap_enabled)) {
+            angle = hb_error_map_correct(angle, calibration->errormap_cosine, calibration->errormap_sine);
         }
 #endif
         if (amplitude_T2 < least_T * least_T) {
@@ -62,34 +65,46 @@ void hb_htm_sense(hb_htm* board, const hb_htm_calibration* page, const hb_htm_in
         }
         jumped = hb_sensing_unwrap(sensing, angle);
         fault = fault ? fault : jumped;
-        board->signals.position = positionCounts(sensing);
-        board->signals.speed_rad_s =
-            hb_speed_update(&board->speed, board->signals.position) * RAD_S_PER_COUNT_TICK;
+        self->signals.position = positionCounts(sensing);
+        self->signals.speed_rad_s =
+            hb_speed_update(&self->speed, self->signals.position) * RAD_S_PER_COUNT_TICK;
+    }
+    for (uint8_t i = 0; i < 2; i++) {
+        self->signals.hall_T[i] = sensing->field_T[i];
+        self->signals.temperature_degC[i] = sensing->temperature_degC[i];
     }
     if (fault) {
-        hb_htm_raise_fault(board, fault);
+        hb_board_raise_fault(&self->board, fault);
     }
 }
 
-void hb_htm_supervise(hb_htm* board, const hb_htm_calibration* page) {
+/* Rotor angle since arming, rad. */
+static float excursion(const hb_htm* motor) {
+    return (float)(motor->sensing.turns - motor->origin_turns) * HB_TWO_PI +
+           (motor->sensing.angle_rad - motor->origin_angle_rad);
+}
+
+void hb_htm_supervise(void* motor, const void* page) {
+    hb_htm* self = (hb_htm*)motor;
+    const hb_htm_calibration* calibration = (const hb_htm_calibration*)page;
     hb_safety_limits limits;
     hb_safety_state state;
     uint8_t fault;
-    limits.limit_degC = page->limit_temperature;
-    limits.speed_rad_s = page->window_speed;
-    limits.window_rad = page->window_position;
-    limits.speed_enabled = isOn(page->window_speed_enabled);
-    limits.window_enabled = isOn(page->window_position_enabled);
-    state.temperature_degC[0] = board->sensing.temperature_degC[0];
-    state.temperature_degC[1] = board->sensing.temperature_degC[1];
-    state.speed_rad_s = board->signals.speed_rad_s;
-    if (limits.window_enabled || board->loop_phase == 0) {
-        board->excursion_rad = hb_htm_excursion(board);
+    limits.limit_degC = calibration->limit_temperature;
+    limits.speed_rad_s = calibration->window_speed;
+    limits.window_rad = calibration->window_position;
+    limits.speed_enabled = isOn(calibration->window_speed_enabled);
+    limits.window_enabled = isOn(calibration->window_position_enabled);
+    state.temperature_degC[0] = self->sensing.temperature_degC[0];
+    state.temperature_degC[1] = self->sensing.temperature_degC[1];
+    state.speed_rad_s = self->signals.speed_rad_s;
+    if (limits.window_enabled || self->board.loop_phase == 0) {
+        self->excursion_rad = excursion(self);
     }
-    state.excursion_rad = board->excursion_rad;
-    fault = hb_safety_check(&board->safety, &limits, &state);
+    state.excursion_rad = self->excursion_rad;
+    fault = hb_safety_check(&self->board.safety, &limits, &state);
     if (fault) {
-        hb_htm_raise_fault(board, fault);
+        hb_board_raise_fault(&self->board, fault);
     }
 }
 
@@ -112,83 +127,100 @@ static hb_law_config lawOf(const hb_htm_calibration* page) {
     return config;
 }
 
-static void startPendingReference(hb_htm* board) {
-    uint8_t is_position = board->mode == HB_MODE_POSITION;
-    if (!board->reference_pending || (is_position && board->loop_phase != 0)) {
+static void startPendingReference(hb_htm* motor) {
+    uint8_t is_position = motor->board.mode == HB_MODE_POSITION;
+    if ((is_position && motor->board.loop_phase != 0) || !hb_board_take_start(&motor->board)) {
         return;
     }
-    board->reference_pending = 0;
-    board->reference_started = 1;
-    hb_reference_start(&board->reference, &board->live.reference, &board->live.plateaus, is_position);
+    hb_reference_start(&motor->reference, &motor->live.reference, &motor->live.plateaus, is_position);
 }
 
-static void controlPosition(hb_htm* board, const hb_htm_calibration* page) {
+static void controlPosition(hb_htm* motor, const hb_htm_calibration* page) {
     hb_law_config config = lawOf(page);
-    hb_reference_point point = hb_reference_evaluate(&board->reference);
+    hb_reference_point point = hb_reference_evaluate(&motor->reference);
     hb_law_input input;
-    input.position_rad = board->excursion_rad;
-    input.reference_rad = point.value + board->live.setpoint;
+    float command_A;
+    input.position_rad = motor->excursion_rad;
+    input.reference_rad = point.value + motor->live.setpoint;
     input.reference_speed_rad_s = point.speed;
     input.reference_acceleration_rad_s2 = point.acceleration;
-    board->command_A = hb_law_step(&board->law, &config, &input);
-    board->signals.reference =
-        (float)board->origin_turns * HB_TWO_PI + board->origin_angle_rad + input.reference_rad;
-    if (!isfinite(board->command_A)) {
-        hb_htm_raise_fault(board, HB_FAULT_NOT_FINITE);
-    }
-}
-
-/* A demand beyond the limit is a mistake of whoever made it: stopping beats bending the test signal. */
-static void controlCurrent(hb_htm* board, const hb_htm_calibration* page) {
-    float demand = hb_reference_evaluate(&board->reference).value + board->live.setpoint;
-    if (!isfinite(demand)) {
-        hb_htm_raise_fault(board, HB_FAULT_NOT_FINITE);
-    } else if (fabsf(demand) > page->limit_current * LIMIT_ROUNDING) {
-        hb_htm_raise_fault(board, HB_FAULT_CURRENT);
+    command_A = hb_law_step(&motor->law, &config, &input);
+    motor->signals.reference =
+        (float)motor->origin_turns * HB_TWO_PI + motor->origin_angle_rad + input.reference_rad;
+    if (isfinite(command_A)) {
+        motor->signals.current_command_A = command_A;
     } else {
-        board->command_A = demand;
-        board->signals.reference = demand;
+        hb_board_raise_fault(&motor->board, HB_FAULT_NOT_FINITE);
     }
 }
 
-void hb_htm_control(hb_htm* board, const hb_htm_calibration* page) {
-    board->reference_started = 0;
-    if (!board->safety.armed || board->mode == HB_MODE_IDLE) {
-        board->command_A = 0.0F;
-        board->signals.reference = 0.0F;
+/* A demand beyond the limit is a mistake of its author: stopping beats bending the test signal. */
+static void controlCurrent(hb_htm* motor, const hb_htm_calibration* page) {
+    float demand = hb_reference_evaluate(&motor->reference).value + motor->live.setpoint;
+    if (!isfinite(demand)) {
+        hb_board_raise_fault(&motor->board, HB_FAULT_NOT_FINITE);
+    } else if (fabsf(demand) > page->limit_current * LIMIT_ROUNDING) {
+        hb_board_raise_fault(&motor->board, HB_FAULT_CURRENT);
+    } else {
+        motor->signals.current_command_A = demand;
+        motor->signals.reference = demand;
+    }
+}
+
+static void control(hb_htm* motor, const hb_htm_calibration* page) {
+    if (!hb_board_is_driving(&motor->board)) {
+        motor->signals.current_command_A = 0.0F;
+        motor->signals.reference = 0.0F;
         return;
     }
-    startPendingReference(board);
-    if (board->mode != HB_MODE_POSITION) {
-        controlCurrent(board, page);
-    } else if (board->loop_phase == 0) {
-        controlPosition(board, page);
+    startPendingReference(motor);
+    if (motor->board.mode != HB_MODE_POSITION) {
+        controlCurrent(motor, page);
+    } else if (motor->board.loop_phase == 0) {
+        controlPosition(motor, page);
     }
 }
 
-void hb_htm_commutate(hb_htm* board, const hb_htm_calibration* page) {
+void hb_htm_control(void* motor, const void* page) {
+    hb_htm* self = (hb_htm*)motor;
+    control(self, (const hb_htm_calibration*)page);
+    self->signals.board.reference_segment = self->reference.segment;
+    self->signals.board.reference_running = self->reference.running;
+}
+
+/* Commutation. */
+void hb_htm_drive(void* motor, const void* page) {
+    hb_htm* self = (hb_htm*)motor;
+    const hb_htm_calibration* calibration = (const hb_htm_calibration*)page;
+    hb_htm_signals* signals = &self->signals;
     float angle;
     float sine;
     float cosine;
-    if (page->commutation_divider > 1.5F && board->safety.armed &&
-        board->tick % asInteger(page->commutation_divider) != 0) {
+    if (calibration->commutation_divider > 1.5F &&
+        self->board.tick % asInteger(calibration->commutation_divider) != 0) {
         return;
     }
-    if (board->command_A == 0.0F) {
-        board->signals.current_A[0] = 0.0F;
-        board->signals.current_A[1] = 0.0F;
+    if (signals->current_command_A == 0.0F) {
+        signals->current_A[0] = 0.0F;
+        signals->current_A[1] = 0.0F;
         return;
     }
-    angle = board->sensing.angle_rad;
-    if (page->commutation_advance != 0.0F) {
-        angle += board->signals.speed_rad_s * page->commutation_advance;
+    angle = self->sensing.angle_rad;
+    if (calibration->commutation_advance != 0.0F) {
+        angle += signals->speed_rad_s * calibration->commutation_advance;
     }
     hb_sine_cosine(angle, &sine, &cosine);
-    if (board->mode == HB_MODE_D_AXIS) {
-        board->signals.current_A[0] = board->command_A * cosine;
-        board->signals.current_A[1] = board->command_A * sine;
+    if (self->board.mode == HB_MODE_D_AXIS) {
+        signals->current_A[0] = signals->current_command_A * cosine;
+        signals->current_A[1] = signals->current_command_A * sine;
     } else {
-        board->signals.current_A[0] = -board->command_A * sine;
-        board->signals.current_A[1] = board->command_A * cosine;
+        signals->current_A[0] = -signals->current_command_A * sine;
+        signals->current_A[1] = signals->current_command_A * cosine;
     }
+}
+
+uint8_t hb_htm_advance(void* motor) {
+    hb_reference* reference = &((hb_htm*)motor)->reference;
+    hb_reference_advance(reference);
+    return reference->running;
 }

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include "devices/firmware/board/hb_board_tables.h"
 #include "devices/firmware/htm/hb_htm_internal.h"
 
 /* Names, units and limits of the board. A name is what a user sees on the command line; units are those of
@@ -6,37 +7,23 @@
  * compensation on. */
 
 #define ANGLE_LIMIT 51471.0F /* 8192 turns */
-#define LARGEST_ULONG 4294967296.0F
 
-static hb_rom_char StatusChoices[] = "idle|armed|stopped by command|stopped by watchdog|fault";
+static hb_rom_char StatusChoices[] = HB_STATUS_CHOICES;
 static hb_rom_char FaultChoices[] =
     "none|coil temperature above its limit|current above its limit|speed above its window|position left its "
     "window|"
     "angle jumped (ambiguous decode)|sensor out of range|value not finite|output converter does not answer";
-static hb_rom_char OffOn[] = "off|on";
+static hb_rom_char OffOn[] = HB_SWITCH_CHOICES;
 static hb_rom_char LawChoices[] = "positional|literal difference equation|literal with clamped memory";
 static hb_rom_char DecodeChoices[] = "arctangent|linear";
 static hb_rom_char DelayChoices[] = "none|one sample|two samples";
-static hb_rom_char ArmChoices[] = "disarmed|armed";
 static hb_rom_char ModeChoices[] = "idle|current|position|d-axis";
-static hb_rom_char StopChoices[] = "run|stop";
-#if HB_FEATURE_GENERATOR
-static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine|plateaus";
-#else
-static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|-|-|plateaus";
-#endif
-#if HB_FEATURE_CAPTURE
-static hb_rom_char CaptureChoices[] = "idle|filling|waiting|running|full";
-static hb_rom_char TriggerChoices[] = "immediate|level|reference start";
-static hb_rom_char SlopeChoices[] = "rising|falling";
-#endif
+static hb_rom_char ShapeChoices[] = HB_SHAPE_CHOICES;
 
 #define SIGNAL(name, unit, type, member, scale, limit, choices, text)                                        \
     HB_SIGNAL(name, unit, type, hb_htm_signals, member, scale, -(limit), limit, choices, text)
-#define STATE(name, type, member, highest, choices, text)                                                    \
-    HB_SIGNAL(name, "", type, hb_htm_signals, member, 1.0F, 0.0F, highest, choices, text)
 
-const hb_signal hb_htm_signal_table[] HB_ROM = {
+static const hb_signal Signals[] HB_ROM = {
     HB_SIGNAL_EXACT("position", "rad", HB_SLONG, hb_htm_signals, position,
                     2.3968449810713143e-05 /* 2 pi/2^18 */, -(ANGLE_LIMIT), ANGLE_LIMIT,
                     "Rotor angle, unwrapped"),
@@ -51,39 +38,25 @@ const hb_signal hb_htm_signal_table[] HB_ROM = {
     SIGNAL("hall.b", "T", HB_FLOAT32, hall_T[1], 1.0F, 0.25F, NULL, "Field at Hall sensor B, not corrected"),
     SIGNAL("coil_temperature.a", "degC", HB_FLOAT32, temperature_degC[0], 1.0F, 500.0F, NULL, "Coil A"),
     SIGNAL("coil_temperature.b", "degC", HB_FLOAT32, temperature_degC[1], 1.0F, 500.0F, NULL, "Coil B"),
-    STATE("status", HB_UBYTE, status, 4.0F, StatusChoices, "State of the board"),
-    STATE("fault", HB_UBYTE, fault, HB_FAULT_COUNT - 1.0F, FaultChoices, "Latched fault"),
-    STATE("torn_count", HB_ULONG, torn_count, LARGEST_ULONG, NULL,
-          "Control cycles that saw a mixed parameter set"),
-    STATE("reference.segment", HB_UWORD, reference_segment, 65535.0F, NULL,
-          "Step or plateau, 0 = not running"),
-    STATE("reference.running", HB_UBYTE, reference_running, 1.0F, NULL, "1 while the generator runs"),
+    HB_BOARD_SIGNALS(hb_htm_signals, board, StatusChoices, FaultChoices, HB_FAULT_COUNT - 1.0F),
+    HB_BOARD_REFERENCE_SIGNALS(hb_htm_signals, board),
 #if HB_FEATURE_CAPTURE
-    STATE("capture.state", HB_UBYTE, capture_state, 4.0F, CaptureChoices, "State of the capture"),
-    HB_SIGNAL("capture.time", "s", HB_ULONG, hb_htm_signals, capture_time_us, 1.0e-6F, 0.0F, 4294.97F, NULL,
-              "Device time of the trigger sample"),
+    HB_BOARD_CAPTURE_SIGNALS(hb_htm_signals, board),
 #endif
 };
-const uint16_t hb_htm_signal_count = sizeof hb_htm_signal_table / sizeof hb_htm_signal_table[0];
 
 #define PAGED(name, unit, member, initial, lower, upper, choices, text)                                      \
-    HB_PARAM(HB_PAGED, name, unit, HB_FLOAT32, hb_htm_calibration, member, initial, lower, upper, choices,   \
-             text)
-#define MARK(name, member, text)                                                                             \
-    HB_PARAM(HB_PAGED, name, "", HB_ULONG, hb_htm_calibration, member, 0.0F, 0.0F, LARGEST_ULONG, NULL, text)
+    HB_PAGED_PARAM(name, unit, hb_htm_calibration, member, initial, lower, upper, choices, text)
 #define LIVE(name, unit, type, member, initial, lower, upper, choices, text)                                 \
-    HB_PARAM(HB_LIVE, name, unit, type, hb_htm_live, member, initial, lower, upper, choices, text)
+    HB_LIVE_PARAM(name, unit, hb_htm_live, type, member, initial, lower, upper, choices, text)
 #define MAP(order)                                                                                           \
     PAGED("errormap.cos" #order, "rad", errormap_cosine[order - 1], 0.0F, -0.2F, 0.2F, NULL,                 \
           "Angle error map, cosine of order " #order),                                                       \
         PAGED("errormap.sin" #order, "rad", errormap_sine[order - 1], 0.0F, -0.2F, 0.2F, NULL,               \
               "Angle error map, sine of order " #order)
-#define CAPTURE_SIGNAL(n)                                                                                    \
-    LIVE("capture.signal_" #n, "", HB_UBYTE, capture.signal[n - 1], 255.0F, 0.0F, 255.0F, NULL,              \
-         "Signal of channel " #n " as handle (address/8), 255 = none")
 
-const hb_parameter hb_htm_parameter_table[] HB_ROM = {
-    MARK("set.first", set_first, "Mark of the transaction, equal to set.last"),
+static const hb_parameter Parameters[] HB_ROM = {
+    HB_SET_FIRST(hb_htm_calibration, set_first),
     PAGED("gain.kp", "A/rad", kp, 10.0F, 0.0F, 2000.0F, NULL, "Proportional gain"),
     PAGED("gain.ki", "A/(rad*s)", ki, 0.1F, 0.0F, 20000.0F, NULL, "Integral gain"),
     PAGED("gain.kd", "A*s/rad", kd, 0.0F, 0.0F, 100.0F, NULL, "Derivative gain on the measured angle"),
@@ -135,19 +108,12 @@ const hb_parameter hb_htm_parameter_table[] HB_ROM = {
     MAP(5),
     MAP(6),
 #endif
-    MARK("set.last", set_last, "Mark of the transaction, equal to set.first"),
+    HB_SET_LAST(hb_htm_calibration, set_last),
 
-    LIVE("hb.arm", "", HB_UBYTE, arm, 0.0F, 0.0F, 1.0F, ArmChoices, "Arm the outputs"),
-    LIVE("hb.mode", "", HB_UBYTE, mode, 0.0F, 0.0F, 3.0F, ModeChoices, "What the set-point means"),
+    HB_BOARD_ARM(hb_htm_live, board, ModeChoices, 3.0F),
     LIVE("hb.setpoint", "", HB_FLOAT32, setpoint, 0.0F, -10000.0F, 10000.0F, NULL,
          "A, or rad from the position at arming"),
-    LIVE("hb.watchdog_ms", "ms", HB_UWORD, watchdog_ms, 0.0F, 0.0F, HB_LONGEST_WATCHDOG_MS, NULL,
-         "Silence of the host that stops the board"),
-    LIVE("hb.stop", "", HB_UBYTE, stop, 0.0F, 0.0F, 1.0F, StopChoices, "Write 1 to stop and latch"),
-#if HB_FEATURE_TRIAL
-    LIVE("hb.trial", "", HB_UBYTE, trial, 0.0F, 0.0F, 1.0F, OffOn,
-         "A lost master brings this calibration back"),
-#endif
+    HB_BOARD_WATCHDOG(hb_htm_live, board),
     LIVE("reference.shape", "", HB_UBYTE, reference.shape, 0.0F, 0.0F, HB_SHAPE_COUNT - 1.0F, ShapeChoices,
          "Shape of the reference"),
     LIVE("reference.amplitude", "", HB_FLOAT32, reference.amplitude, 0.0F, -10000.0F, 10000.0F, NULL,
@@ -169,51 +135,48 @@ const hb_parameter hb_htm_parameter_table[] HB_ROM = {
     LIVE("reference.base", "", HB_FLOAT32, reference.base, 0.0F, -1000.0F, 1000.0F, NULL,
          "Constant motion added: rad/s in mode position, else A"),
 #if HB_FEATURE_GENERATOR
-    LIVE("reference.seed", "", HB_ULONG, reference.seed, 0.0F, 0.0F, LARGEST_ULONG, NULL,
+    LIVE("reference.seed", "", HB_ULONG, reference.seed, 0.0F, 0.0F, HB_LARGEST_ULONG, NULL,
          "Phases of the multisine; 0 = Schroeder"),
 #endif
-    LIVE("reference.start", "", HB_UBYTE, reference_start, 0.0F, 0.0F, 255.0F, NULL,
-         "0 stops, 1 starts the generator, 2 to 255 start it once"),
+    HB_BOARD_START(hb_htm_live, board),
     LIVE("plateau.count", "", HB_UWORD, plateaus.count, 1.0F, 1.0F, HB_PLATEAUS, NULL, "Number of plateaus"),
     LIVE("plateau.dwell", "s", HB_FLOAT32, plateaus.dwell_s, 1.0F, 0.001F, 3600.0F, NULL,
          "Time of one plateau"),
     HB_PARAM_LIST(HB_LIVE, "plateau.current", "A", HB_FLOAT32, hb_htm_live, plateaus.current_A, HB_PLATEAUS,
                   0.0F, -4.0F, 4.0F, "Current of one plateau"),
 #if HB_FEATURE_CAPTURE
-    CAPTURE_SIGNAL(1),
-    CAPTURE_SIGNAL(2),
-    CAPTURE_SIGNAL(3),
-    CAPTURE_SIGNAL(4),
-    LIVE("capture.trigger", "", HB_UBYTE, capture.trigger, 0.0F, 0.0F, 2.0F, TriggerChoices,
-         "What starts the capture"),
-    LIVE("capture.trigger_signal", "", HB_UBYTE, capture.trigger_signal, 0.0F, 0.0F, 255.0F, NULL,
-         "Handle of the signal compared with the level"),
-    LIVE("capture.level", "", HB_FLOAT32, capture.level, 0.0F, -1.0e6F, 1.0e6F, NULL, "Level of the trigger"),
-    LIVE("capture.slope", "", HB_UBYTE, capture.slope, 0.0F, 0.0F, 1.0F, SlopeChoices,
-         "Direction of the crossing"),
-    LIVE("capture.pretrigger", "", HB_UWORD, capture.pretrigger, 0.0F, 0.0F, 4095.0F, NULL,
-         "Samples before the trigger"),
-    LIVE("capture.prescaler", "", HB_UWORD, capture.prescaler, 1.0F, 1.0F, 1000.0F, NULL,
-         "Milliseconds per sample"),
-    LIVE("capture.start", "", HB_UBYTE, capture_start, 0.0F, 0.0F, 255.0F, NULL,
-         "0 stops, 1 starts the capture, 2 to 255 start it once"),
-    {{-1.0e6F, 1.0e6F,
-      HB_WORDS("capture.data\0" HB_TEXT("Captured samples, channel after channel, oldest first")), NULL, 0,
-      HB_FLOAT32},
-     0.0F,
-     HB_BLOCK,
-     HB_CAPTURE_SAMPLES,
-     HB_CAPTURE_SIGNALS},
+    HB_BOARD_CAPTURE(hb_htm_live, capture),
 #endif
 };
-const uint16_t hb_htm_parameter_count = sizeof hb_htm_parameter_table / sizeof hb_htm_parameter_table[0];
 
-const hb_event hb_htm_event_table[] HB_ROM = {{"fast", HB_TICK_MS, 6}, {"position", 10, 6}};
+static const hb_event Events[] HB_ROM = {{"fast", HB_TICK_MS, 6}, {"position", 10, 6}};
 
-hb_rom_char* hb_htm_fault_text(uint8_t fault) {
-    hb_rom_char* at = FaultChoices;
-    for (; fault > 0 && *at; at++) {
-        fault = (uint8_t)(fault - (*at == '|'));
-    }
-    return at;
-}
+const HB_FLASH hb_actuator hb_htm_actuator = {
+    .model = "htm",
+    .signals = Signals,
+    .parameters = Parameters,
+    .events = Events,
+    .signal_count = sizeof Signals / sizeof Signals[0],
+    .parameter_count = sizeof Parameters / sizeof Parameters[0],
+    .faults = FaultChoices,
+    .page_octets = sizeof(hb_htm_calibration),
+    .live_octets = sizeof(hb_htm_live),
+    .live_offset = offsetof(hb_htm_live, board),
+    .signal_offset = offsetof(hb_htm_signals, board),
+    .output_offset = offsetof(hb_htm_signals, current_A),
+#if HB_FEATURE_CAPTURE
+    .capture_offset = offsetof(hb_htm_live, capture),
+#endif
+    .output_count = 2,
+    .event_count = HB_HTM_EVENT_COUNT,
+    .loop_ticks = HB_HTM_LOOP_TICKS,
+    .axis_count = 1,
+    .sense = hb_htm_sense,
+    .supervise = hb_htm_supervise,
+    .control = hb_htm_control,
+    .drive = hb_htm_drive,
+    .enter_mode = hb_htm_enter_mode,
+    .check = hb_htm_check,
+    .stop_reference = hb_htm_stop_reference,
+    .advance = hb_htm_advance,
+};

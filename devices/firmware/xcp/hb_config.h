@@ -54,6 +54,9 @@
     HB_FEATURE_FULL /* a third copy of the calibration that a lost master brings back                        \
                      */
 #endif
+#ifndef HB_FEATURE_BRAKE
+#define HB_FEATURE_BRAKE HB_FEATURE_FULL /* actuators that brake before their outputs go to zero */
+#endif
 #ifndef HB_FEATURE_TEXTS
 #define HB_FEATURE_TEXTS 1 /* descriptions of signals and parameters; names and units are always in */
 #endif
@@ -121,9 +124,11 @@ enum { HB_SIGNAL_TABLES = 1 };
 #define hb_rom_word(address) (*(address))
 #endif
 #if defined(__AVR__) && !defined(__cplusplus)
+#define HB_FLASH __flash
 typedef const __flash char hb_rom_char;
 #define HB_WORDS(words) ((hb_rom_char[]){words})
 #else
+#define HB_FLASH
 typedef const char hb_rom_char;
 #define HB_WORDS(words) words
 #endif

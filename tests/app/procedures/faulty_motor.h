@@ -41,7 +41,7 @@ public:
     devices::LinkFaults& faults() { return *m_faults; }
     devices::SimulatedBoard& board() { return *m_board; }
 
-    bool isArmed() const { return m_board->firmware().safety.armed != 0; }
+    bool isArmed() const { return m_board->firmware().board.safety.armed != 0; }
     double commandedCurrent_A() const {
         return static_cast<double>(m_board->firmware().signals.current_command_A);
     }

@@ -56,13 +56,13 @@ public:
     }
 
     void send(const Octets& packet) {
-        hb_htm_receive(m_board.get(), packet.data(), static_cast<std::uint16_t>(packet.size()));
+        hb_board_receive(&m_board->board, packet.data(), static_cast<std::uint16_t>(packet.size()));
     }
 
     std::vector<Octets> received() {
         std::vector<Octets> packets;
         std::uint8_t buffer[HB_MAX_DTO];
-        while (const std::uint16_t length = hb_htm_transmit(m_board.get(), buffer, sizeof buffer)) {
+        while (const std::uint16_t length = hb_board_transmit(&m_board->board, buffer, sizeof buffer)) {
             packets.emplace_back(buffer, buffer + length);
         }
         return packets;
@@ -120,8 +120,8 @@ public:
         return write(0x10000U + static_cast<std::uint32_t>(offset), octetsOf(value));
     }
 
-    Octets arm() { return writeLive(offsetof(hb_htm_live, arm), {1}); }
-    Octets setMode(std::uint8_t mode) { return writeLive(offsetof(hb_htm_live, mode), {mode}); }
+    Octets arm() { return writeLive(offsetof(hb_htm_live, board.arm), {1}); }
+    Octets setMode(std::uint8_t mode) { return writeLive(offsetof(hb_htm_live, board.mode), {mode}); }
     Octets setSetpoint(float value) { return writeLive(offsetof(hb_htm_live, setpoint), octetsOf(value)); }
     Octets stop() { return command({0xF1, 0x45}); }
     Octets reset() { return command({0xF1, 0x52}); }
@@ -132,7 +132,7 @@ public:
         connect();
         setMode(mode);
         arm();
-        m_board->live.watchdog_ms = 0;
+        m_board->live.board.watchdog_ms = 0;
     }
 
     bool isOutputZero() const {

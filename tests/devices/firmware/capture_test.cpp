@@ -8,15 +8,15 @@ namespace {
 constexpr std::uint8_t PositionHandle = 0, CommandHandle = 3, ReferenceHandle = 2;
 
 void configure(BoardFixture& f, std::uint8_t trigger, std::uint16_t pretrigger) {
-    f.writeLive(offsetof(hb_htm_live, capture.signal), {PositionHandle, CommandHandle});
-    f.writeLive(offsetof(hb_htm_live, capture.trigger), {trigger});
-    f.writeLive(offsetof(hb_htm_live, capture.trigger_signal), {CommandHandle});
-    f.writeLive(offsetof(hb_htm_live, capture.pretrigger),
+    f.writeLive(offsetof(hb_htm_live, capture.config.signal), {PositionHandle, CommandHandle});
+    f.writeLive(offsetof(hb_htm_live, capture.config.trigger), {trigger});
+    f.writeLive(offsetof(hb_htm_live, capture.config.trigger_signal), {CommandHandle});
+    f.writeLive(offsetof(hb_htm_live, capture.config.pretrigger),
                 {static_cast<std::uint8_t>(pretrigger), static_cast<std::uint8_t>(pretrigger >> 8)});
 }
 
 void start(BoardFixture& f) {
-    f.writeLive(offsetof(hb_htm_live, capture_start), {1});
+    f.writeLive(offsetof(hb_htm_live, capture.start), {1});
 }
 
 float sampleOverTheWire(BoardFixture& f, std::uint32_t channel, std::uint32_t index) {
@@ -42,9 +42,9 @@ TEST(Capture, fillsFromTheNextTickWithoutATrigger) {
     configure(f, HB_TRIGGER_IMMEDIATE, 0);
     start(f);
     turn(f, 4095);
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_RUNNING);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_RUNNING);
     turn(f, 1);
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_FULL);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_FULL);
     turn(f, 100); // a full capture keeps its samples
     for (const std::uint32_t index : {0U, 1U, 2000U, 4095U}) {
         // one count of the position is 24 urad
@@ -57,56 +57,56 @@ TEST(Capture, showsTheTriggerBehindThePretrigger) {
     BoardFixture f;
     f.driveIn(HB_MODE_CURRENT);
     configure(f, HB_TRIGGER_LEVEL, 1000);
-    f.writeLive(offsetof(hb_htm_live, capture.level), f.octetsOf(1.0F));
+    f.writeLive(offsetof(hb_htm_live, capture.config.level), f.octetsOf(1.0F));
     start(f);
     f.tick(999);
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_FILLING);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_FILLING);
     f.setSetpoint(2.0F);
     f.tick(); // the crossing while the history still fills does not count
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_WAITING);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_WAITING);
     f.tick(5000);
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_WAITING);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_WAITING);
     f.setSetpoint(0.5F);
     f.tick(7);
     f.setSetpoint(1.5F);
     f.tick(HB_CAPTURE_SAMPLES - 1000);
-    ASSERT_EQ(f.board().signals.capture_state, HB_CAPTURE_FULL);
+    ASSERT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_FULL);
     EXPECT_EQ(sampleOverTheWire(f, 1, 1000 - 8), 2.0F);
     EXPECT_EQ(sampleOverTheWire(f, 1, 999), 0.5F);
     EXPECT_EQ(sampleOverTheWire(f, 1, 1000), 1.5F);
-    EXPECT_EQ(f.board().signals.capture_time_us, 1000U * (1 + 999 + 1 + 5000 + 7));
+    EXPECT_EQ(f.board().signals.board.capture_time_us, 1000U * (1 + 999 + 1 + 5000 + 7));
 }
 
 TEST(Capture, triggersOnAFallingLevel) {
     BoardFixture f;
     f.driveIn(HB_MODE_CURRENT);
     configure(f, HB_TRIGGER_LEVEL, 0);
-    f.writeLive(offsetof(hb_htm_live, capture.slope), {HB_SLOPE_FALLING});
-    f.writeLive(offsetof(hb_htm_live, capture.level), f.octetsOf(1.0F));
+    f.writeLive(offsetof(hb_htm_live, capture.config.slope), {HB_SLOPE_FALLING});
+    f.writeLive(offsetof(hb_htm_live, capture.config.level), f.octetsOf(1.0F));
     start(f);
     f.setSetpoint(2.0F);
     f.tick(10);
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_WAITING);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_WAITING);
     f.setSetpoint(0.0F);
     f.tick();
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_RUNNING);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_RUNNING);
 }
 
 TEST(Capture, triggersWithTheReference) {
     BoardFixture f;
     f.driveIn(HB_MODE_POSITION);
     configure(f, HB_TRIGGER_REFERENCE, 50);
-    f.writeLive(offsetof(hb_htm_live, capture.signal), {ReferenceHandle});
+    f.writeLive(offsetof(hb_htm_live, capture.config.signal), {ReferenceHandle});
     start(f);
     f.tick(73);
     f.writeLive(offsetof(hb_htm_live, reference.shape), {HB_SHAPE_STEP});
     f.writeLive(offsetof(hb_htm_live, reference.amplitude), f.octetsOf(0.1F));
-    f.writeLive(offsetof(hb_htm_live, reference_start), {1});
+    f.writeLive(offsetof(hb_htm_live, board.reference_start), {1});
     f.tick(5000);
-    ASSERT_EQ(f.board().signals.capture_state, HB_CAPTURE_FULL);
+    ASSERT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_FULL);
     EXPECT_NEAR(static_cast<double>(sampleOverTheWire(f, 0, 49)), 0.3, 1e-6);
     EXPECT_NEAR(static_cast<double>(sampleOverTheWire(f, 0, 50)), 0.4, 1e-6);
-    EXPECT_EQ(f.board().signals.capture_time_us % 10000, 0U); // the step comes with the position loop
+    EXPECT_EQ(f.board().signals.board.capture_time_us % 10000, 0U); // the step comes with the position loop
 }
 
 TEST(Capture, spacesItsSamplesByThePrescaler) {
@@ -114,10 +114,10 @@ TEST(Capture, spacesItsSamplesByThePrescaler) {
     f.angle_rad = 0.0;
     f.driveIn(HB_MODE_CURRENT);
     configure(f, HB_TRIGGER_IMMEDIATE, 0);
-    f.writeLive(offsetof(hb_htm_live, capture.prescaler), {3, 0});
+    f.writeLive(offsetof(hb_htm_live, capture.config.prescaler), {3, 0});
     start(f);
     turn(f, 3 * HB_CAPTURE_SAMPLES);
-    ASSERT_EQ(f.board().signals.capture_state, HB_CAPTURE_FULL);
+    ASSERT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_FULL);
     const double spacing = static_cast<double>(sampleOverTheWire(f, 0, 4000)) -
                            static_cast<double>(sampleOverTheWire(f, 0, 3000));
     EXPECT_NEAR(spacing, 3.0, 5e-5);
@@ -130,13 +130,13 @@ TEST(Capture, recordsTheCallersOwnSignals) {
     config.extra = {&signal, 1, &truth};
     BoardFixture f(&config);
     f.driveIn(HB_MODE_CURRENT);
-    const auto handle = static_cast<std::uint8_t>(f.board().xcp.description.signals[0].count);
-    f.writeLive(offsetof(hb_htm_live, capture.signal), {handle, 255, 255, 255});
+    const auto handle = static_cast<std::uint8_t>(f.board().board.xcp.description.signals[0].count);
+    f.writeLive(offsetof(hb_htm_live, capture.config.signal), {handle, 255, 255, 255});
     start(f);
     f.tick(10);
     truth = 1.0 / 3.0;
     f.tick(HB_CAPTURE_SAMPLES - 10);
-    ASSERT_EQ(f.board().signals.capture_state, HB_CAPTURE_FULL);
+    ASSERT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_FULL);
     EXPECT_EQ(sampleOverTheWire(f, 0, 9), -2.5F);
     EXPECT_EQ(sampleOverTheWire(f, 0, 10), 1.0F / 3.0F); // the nearest float
 }
@@ -147,9 +147,9 @@ TEST(Capture, runsOncePerStartAndCanBeStopped) {
     configure(f, HB_TRIGGER_LEVEL, 0);
     start(f);
     f.tick(3);
-    f.writeLive(offsetof(hb_htm_live, capture_start), {0});
+    f.writeLive(offsetof(hb_htm_live, capture.start), {0});
     f.tick();
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_IDLE);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_IDLE);
 }
 
 } // namespace

@@ -89,13 +89,13 @@ TEST(Drive, setsTheWatchdogWhenArmedWithoutOne) {
     f.tick();
     f.connect();
     EXPECT_EQ(f.arm(), Accepted);
-    EXPECT_EQ(f.board().live.watchdog_ms, 1000);
+    EXPECT_EQ(f.board().live.board.watchdog_ms, 1000);
     BoardFixture other;
     other.tick();
     other.connect();
-    other.writeLive(offsetof(hb_htm_live, watchdog_ms), {44, 1});
+    other.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {44, 1});
     other.arm();
-    EXPECT_EQ(other.board().live.watchdog_ms, 300);
+    EXPECT_EQ(other.board().live.board.watchdog_ms, 300);
 }
 
 TEST(Drive, refusesToArmBeforeItKnowsTheAngle) {
@@ -113,21 +113,22 @@ TEST(Drive, refusesASetPointAboveTheCurrentLimit) {
     EXPECT_EQ(f.setSetpoint(-4.0F), Accepted);
     f.tick();
     EXPECT_EQ(f.outputs.current_command_A, -4.0F);
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_ARMED);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_ARMED);
 }
 
 TEST(Drive, goesToZeroWhenDisarmed) {
     BoardFixture f;
     drivingWith(f, 2.0F);
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, arm), {0}), Accepted);
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.arm), {0}), Accepted);
     f.tick();
     EXPECT_TRUE(f.isOutputZero());
     EXPECT_EQ(f.board().live.setpoint, 0.0F);
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_IDLE);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_IDLE);
 }
 
 TEST(Stop, worksInEveryModeAndStaysLatched) {
-    for (const std::uint8_t mode : {HB_MODE_IDLE, HB_MODE_CURRENT, HB_MODE_POSITION, HB_MODE_D_AXIS}) {
+    constexpr std::uint8_t Modes[] = {HB_MODE_IDLE, HB_MODE_CURRENT, HB_MODE_POSITION, HB_MODE_D_AXIS};
+    for (const std::uint8_t mode : Modes) {
         BoardFixture f;
         f.driveIn(mode);
         f.writePaged(offsetof(hb_htm_calibration, stray_enabled), 0.0F); // this rotor's coils have none
@@ -136,7 +137,7 @@ TEST(Stop, worksInEveryModeAndStaysLatched) {
         EXPECT_EQ(f.stop(), (Octets{0xFF, HB_LATCH_COMMAND}));
         f.tick();
         EXPECT_TRUE(f.isOutputZero());
-        EXPECT_EQ(f.board().signals.status, HB_STATUS_STOPPED);
+        EXPECT_EQ(f.board().signals.board.status, HB_STATUS_STOPPED);
         EXPECT_EQ(f.board().live.setpoint, 0.0F);
         EXPECT_EQ(f.arm(), refused(0x24));
         EXPECT_EQ(f.reset(), (Octets{0xFF, HB_LATCH_NONE}));
@@ -151,37 +152,37 @@ TEST(Stop, worksWithoutASessionWhileTheGeneratorRuns) {
     f.driveIn(HB_MODE_CURRENT);
     f.writeLive(offsetof(hb_htm_live, reference.shape), {HB_SHAPE_STEP});
     f.writeLive(offsetof(hb_htm_live, reference.amplitude), f.octetsOf(2.0F));
-    f.writeLive(offsetof(hb_htm_live, reference_start), {1});
+    f.writeLive(offsetof(hb_htm_live, board.reference_start), {1});
     f.command({0xFE}); // DISCONNECT leaves the board to its watchdog
     f.tick();
     EXPECT_FALSE(f.isOutputZero());
     f.send({0xF1, 0x45});
     f.tick();
     EXPECT_TRUE(f.isOutputZero());
-    EXPECT_EQ(f.board().signals.reference_running, 0);
+    EXPECT_EQ(f.board().signals.board.reference_running, 0);
 }
 
 TEST(Stop, canBeWrittenAsAParameterButNotTakenBack) {
     BoardFixture f;
     drivingWith(f, 2.0F);
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, stop), {1}), Accepted);
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.stop), {1}), Accepted);
     f.tick();
     EXPECT_TRUE(f.isOutputZero());
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, stop), {0}), Accepted);
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.stop), {0}), Accepted);
     f.tick();
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_STOPPED);
-    EXPECT_EQ(f.board().live.stop, 1);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_STOPPED);
+    EXPECT_EQ(f.board().live.board.stop, 1);
 }
 
 TEST(Watchdog, stopsAfterTheSilenceItWasSetTo) {
     BoardFixture f;
     drivingWith(f, 2.0F);
-    f.writeLive(offsetof(hb_htm_live, watchdog_ms), {44, 1}); // 300 ms
+    f.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {44, 1}); // 300 ms
     f.tick(299);
     EXPECT_FALSE(f.isOutputZero());
     f.tick();
     EXPECT_TRUE(f.isOutputZero());
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_WATCHDOG);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_WATCHDOG);
     EXPECT_EQ(f.received(), (std::vector<Octets>{{0xFD, 0x07, 0x02}}));
     EXPECT_TRUE(f.command({0xFD}).empty()); // the session is over
     f.connect();
@@ -192,7 +193,7 @@ TEST(Watchdog, stopsAfterTheSilenceItWasSetTo) {
 TEST(Watchdog, isRestartedByEveryWellFormedCommandOnly) {
     BoardFixture f;
     drivingWith(f, 2.0F);
-    f.writeLive(offsetof(hb_htm_live, watchdog_ms), {100, 0});
+    f.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {100, 0});
     for (int i = 0; i < 20; ++i) {
         f.tick(99);
         f.command({0xFD});
@@ -209,25 +210,25 @@ TEST(Watchdog, isRestartedByEveryWellFormedCommandOnly) {
 TEST(Watchdog, actsAlsoWhenTheMasterLeftAnArmedBoard) {
     BoardFixture f;
     drivingWith(f, 2.0F);
-    f.writeLive(offsetof(hb_htm_live, watchdog_ms), {100, 0});
+    f.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {100, 0});
     f.command({0xFE});
     f.tick(101);
     EXPECT_TRUE(f.isOutputZero());
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_WATCHDOG);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_WATCHDOG);
 }
 
 TEST(Watchdog, leavesForeignToolsAloneByDefault) {
     BoardFixture f;
     f.connect();
     f.tick(70000);
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_IDLE);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_IDLE);
     EXPECT_EQ(f.command({0xFD}).size(), 6U);
 }
 
 void expectLatched(BoardFixture& f, std::uint8_t fault, const std::string& words) {
     EXPECT_TRUE(f.isOutputZero());
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_FAULT);
-    EXPECT_EQ(f.board().signals.fault, fault);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_FAULT);
+    EXPECT_EQ(f.board().signals.board.fault, fault);
     const std::vector<Octets> packets = f.received();
     ASSERT_EQ(packets.size(), 2U);
     EXPECT_EQ(packets[0], (Octets{0xFD, 0xFE, fault}));
@@ -246,7 +247,7 @@ TEST(Fault, isRaisedByAHotCoil) {
     expectLatched(f, HB_FAULT_TEMPERATURE, "coil temperature above its limit");
     f.reset();
     f.tick();
-    EXPECT_EQ(f.board().signals.fault, HB_FAULT_TEMPERATURE); // still hot
+    EXPECT_EQ(f.board().signals.board.fault, HB_FAULT_TEMPERATURE); // still hot
     f.temperature_degC = 40.0;
     f.reset();
     f.tick();
@@ -258,7 +259,7 @@ TEST(Fault, isRaisedByAReferenceAboveTheCurrentLimit) {
     f.driveIn(HB_MODE_CURRENT);
     f.writeLive(offsetof(hb_htm_live, reference.shape), {HB_SHAPE_RAMP});
     f.writeLive(offsetof(hb_htm_live, reference.rate), f.octetsOf(100.0F)); // 4 A after 40 ms
-    f.writeLive(offsetof(hb_htm_live, reference_start), {1});
+    f.writeLive(offsetof(hb_htm_live, board.reference_start), {1});
     f.tick(41);
     EXPECT_FALSE(f.isOutputZero());
     f.tick();
@@ -325,7 +326,7 @@ TEST(Fault, isRaisedByAFieldThatIsNotTheRotors) {
     hb_htm_inputs in = f.inputs();
     in.hall_code[0] = in.hall_code[1] = 511.5F; // no field at all
     hb_htm_fast_tick(&f.board(), &in, &f.outputs);
-    EXPECT_EQ(f.board().signals.fault, HB_FAULT_SENSOR_RANGE);
+    EXPECT_EQ(f.board().signals.board.fault, HB_FAULT_SENSOR_RANGE);
 }
 
 TEST(Fault, isRaisedByEveryInputThatIsNotFinite) {
@@ -341,7 +342,7 @@ TEST(Fault, isRaisedByEveryInputThatIsNotFinite) {
             EXPECT_EQ(f.board().signals.position, before);
             EXPECT_TRUE(std::isfinite(f.board().signals.speed_rad_s));
             f.tick();
-            EXPECT_EQ(f.board().signals.status, HB_STATUS_FAULT);
+            EXPECT_EQ(f.board().signals.board.status, HB_STATUS_FAULT);
         }
     }
 }
@@ -354,7 +355,7 @@ TEST(Fault, keepsTheFirstCause) {
     hb_htm_inputs in = f.inputs();
     in.hall_code[0] = NaN;
     hb_htm_fast_tick(&f.board(), &in, &f.outputs);
-    EXPECT_EQ(f.board().signals.fault, HB_FAULT_TEMPERATURE);
+    EXPECT_EQ(f.board().signals.board.fault, HB_FAULT_TEMPERATURE);
 }
 
 TEST(Board, runsManyTimesInOneProcess) {

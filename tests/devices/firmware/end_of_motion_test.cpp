@@ -19,10 +19,10 @@ TEST(EndOfMotion, theTickAfterAStopArrivesPutsOutNothing) {
     const auto startSine = [](BoardFixture& f) {
         f.writeLive(offsetof(hb_htm_live, reference.shape), {HB_SHAPE_SINE});
         f.writeLive(offsetof(hb_htm_live, reference.amplitude), f.octetsOf(0.3F));
-        f.writeLive(offsetof(hb_htm_live, reference_start), {1});
+        f.writeLive(offsetof(hb_htm_live, board.reference_start), {1});
     };
     const Octets byCommand{0xF1, 0x45};
-    const Octets byParameter{0xED, 1, 0, 0, offsetof(hb_htm_live, stop), 0x80, 0, 0, 1};
+    const Octets byParameter{0xED, 1, 0, 0, offsetof(hb_htm_live, board.stop), 0x80, 0, 0, 1};
     for (const std::uint8_t mode : {HB_MODE_CURRENT, HB_MODE_POSITION, HB_MODE_D_AXIS}) {
         for (const Octets& stop : {byCommand, byParameter}) {
             for (int phase = 0; phase < 10; ++phase) {
@@ -37,7 +37,7 @@ TEST(EndOfMotion, theTickAfterAStopArrivesPutsOutNothing) {
                 ASSERT_TRUE(f.isOutputZero()) << int{mode} << " " << phase;
                 ASSERT_EQ(f.outputs.current_command_A, 0.0F);
                 ASSERT_EQ(f.board().signals.current_command_A, 0.0F);
-                ASSERT_EQ(f.board().signals.status, HB_STATUS_STOPPED);
+                ASSERT_EQ(f.board().signals.board.status, HB_STATUS_STOPPED);
             }
         }
     }
@@ -46,25 +46,25 @@ TEST(EndOfMotion, theTickAfterAStopArrivesPutsOutNothing) {
 TEST(EndOfMotion, theWatchdogCannotBeTakenAwayWhileArmed) {
     BoardFixture f;
     driveWith(f, 2.0F);
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, watchdog_ms), {44, 1}), Accepted);
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, watchdog_ms), {0, 0}), refused(0x22));
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {44, 1}), Accepted);
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {0, 0}), refused(0x22));
     // 300 = 0x012C: octet by octet, and together with an order to arm
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, watchdog_ms) + 1, {0}), Accepted) << "0x002C is 44 ms";
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, watchdog_ms), {0}), refused(0x22));
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, watchdog_ms), {0, 0, 1}), refused(0x22));
-    EXPECT_EQ(f.board().live.watchdog_ms, 44);
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.watchdog_ms) + 1, {0}), Accepted) << "0x002C is 44 ms";
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {0}), refused(0x22));
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {0, 0, 1}), refused(0x22));
+    EXPECT_EQ(f.board().live.board.watchdog_ms, 44);
     f.tick(44);
     EXPECT_TRUE(f.isOutputZero());
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_WATCHDOG);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_WATCHDOG);
 }
 
 TEST(EndOfMotion, theWatchdogIsNeverLongerThanTwoSeconds) {
     BoardFixture f;
     driveWith(f, 2.0F);
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, watchdog_ms), {0x60, 0xEA}), Accepted); // 60000 ms
-    EXPECT_EQ(f.board().live.watchdog_ms, 2000);
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, watchdog_ms) + 1, {0xFF}), Accepted);
-    EXPECT_EQ(f.board().live.watchdog_ms, 2000);
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {0x60, 0xEA}), Accepted); // 60000 ms
+    EXPECT_EQ(f.board().live.board.watchdog_ms, 2000);
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.watchdog_ms) + 1, {0xFF}), Accepted);
+    EXPECT_EQ(f.board().live.board.watchdog_ms, 2000);
     f.command({0xFE}); // and the master is gone
     f.tick(1999);
     EXPECT_FALSE(f.isOutputZero());
@@ -77,10 +77,10 @@ TEST(EndOfMotion, aWatchdogSetToNothingBeforeArmingBecomesASecond) {
     f.tick();
     f.connect();
     // both in one command: the board arms with what it is given
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, watchdog_ms), {0, 0, 1}), Accepted);
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {0, 0, 1}), Accepted);
     f.tick();
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_ARMED);
-    EXPECT_EQ(f.board().live.watchdog_ms, 1000);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_ARMED);
+    EXPECT_EQ(f.board().live.board.watchdog_ms, 1000);
 }
 
 } // namespace

@@ -45,20 +45,21 @@ Octets randomPacket(Noise& noise) {
 
 /// Every parameter of the page the loop runs on, and every live one, is finite and within its limits.
 void expectSafeParameters(hb_htm& board) {
-    for (std::uint16_t i = 0; i < hb_htm_parameter_count; ++i) {
+    for (std::uint16_t i = 0; i < hb_htm_actuator.parameter_count; ++i) {
         hb_parameter p;
-        hb_parameter_read(&hb_htm_parameter_table[i], &p);
+        hb_parameter_read(&hb_htm_actuator.parameters[i], &p);
         if (p.space == HB_BLOCK) {
             continue;
         }
-        const auto* base = p.space == HB_LIVE
-                               ? reinterpret_cast<const std::uint8_t*>(&board.live)
-                               : reinterpret_cast<const std::uint8_t*>(&board.pages[board.xcp.active_page]);
+        const auto* base =
+            p.space == HB_LIVE
+                ? reinterpret_cast<const std::uint8_t*>(&board.live)
+                : reinterpret_cast<const std::uint8_t*>(&board.pages[board.board.xcp.active_page]);
         ASSERT_TRUE(hb_value_is_finite(p.entry.type, base + p.entry.offset))
-            << hb_htm_parameter_table[i].entry.words;
+            << hb_htm_actuator.parameters[i].entry.words;
         const float value = hb_value_as_float(p.entry.type, base + p.entry.offset);
-        ASSERT_GE(value, p.entry.lower) << hb_htm_parameter_table[i].entry.words;
-        ASSERT_LE(value, p.entry.upper) << hb_htm_parameter_table[i].entry.words;
+        ASSERT_GE(value, p.entry.lower) << hb_htm_actuator.parameters[i].entry.words;
+        ASSERT_LE(value, p.entry.upper) << hb_htm_actuator.parameters[i].entry.words;
     }
 }
 

@@ -91,7 +91,7 @@ TEST(Loop, theAngleDoesNotJumpWhereTheCurrentEnds) {
         f.driveIn(HB_MODE_CURRENT);
         f.setSetpoint(3.0F);
         tickWithStray(f, 50);
-        byStop ? f.stop() : f.writeLive(offsetof(hb_htm_live, arm), disarmed);
+        byStop ? f.stop() : f.writeLive(offsetof(hb_htm_live, board.arm), disarmed);
         for (int i = 0; i < 3; ++i) {
             tickWithStray(f, 1);
             EXPECT_TRUE(f.isOutputZero());
@@ -155,8 +155,8 @@ TEST(Loop, feedsEveryGainOfThePageToTheLaw) {
     set(f, &hb_htm_calibration::stiction_current, 1.29);
     f.writeLive(offsetof(hb_htm_live, reference.shape), {HB_SHAPE_RAMP});
     f.writeLive(offsetof(hb_htm_live, reference.rate), f.octetsOf(2.0F));
-    f.writeLive(offsetof(hb_htm_live, reference_start), {1});
-    while (f.board().signals.reference_running == 0) {
+    f.writeLive(offsetof(hb_htm_live, board.reference_start), {1});
+    while (f.board().signals.board.reference_running == 0) {
         f.tick();
     }
     EXPECT_NEAR(static_cast<double>(f.outputs.current_command_A), 0.2 * 2 + 0.086 * 2 + 1.29, 1e-5);
@@ -174,7 +174,7 @@ TEST(Loop, appliesTheDelayOfThePage) {
     f.driveIn(HB_MODE_POSITION);
     set(f, &hb_htm_calibration::delay_samples, 2);
     f.setSetpoint(0.1F);
-    while (f.board().loop_phase != 0) {
+    while (f.board().board.loop_phase != 0) {
         f.tick();
     }
     f.tick(20);

@@ -20,7 +20,7 @@ BoardFixture& readyToStep(BoardFixture& f) {
 }
 
 Octets start(BoardFixture& f, int order) {
-    return f.writeLive(offsetof(hb_htm_live, reference_start), {static_cast<std::uint8_t>(order)});
+    return f.writeLive(offsetof(hb_htm_live, board.reference_start), {static_cast<std::uint8_t>(order)});
 }
 
 /// Steps that the reference has made since it stood at the rotor.
@@ -37,7 +37,7 @@ TEST(StartOrders, aRepeatedNumberStartsNothingWhenever) {
         EXPECT_EQ(start(f, 7), Accepted);
         f.tick(100);
         EXPECT_NEAR(stepsOf(f), 1.0, 1e-6) << later;
-        EXPECT_EQ(f.board().live.reference_start, 0) << "shows what runs, not the number";
+        EXPECT_EQ(f.board().live.board.reference_start, 0) << "shows what runs, not the number";
     }
 }
 
@@ -81,29 +81,29 @@ TEST(StartOrders, holdForTheCaptureToo) {
     f.tick();
     f.connect();
     const auto capture = [&f](int order) {
-        EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, capture_start), {static_cast<std::uint8_t>(order)}),
+        EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, capture.start), {static_cast<std::uint8_t>(order)}),
                   Accepted);
     };
     capture(2);
     f.tick(10);
-    const std::uint32_t began_us = f.board().signals.capture_time_us;
+    const std::uint32_t began_us = f.board().signals.board.capture_time_us;
     capture(2);
-    EXPECT_EQ(f.board().live.capture_start, 1);
+    EXPECT_EQ(f.board().live.capture.start, 1);
     f.tick(10);
-    EXPECT_EQ(f.board().signals.capture_time_us, began_us);
+    EXPECT_EQ(f.board().signals.board.capture_time_us, began_us);
     f.tick(HB_CAPTURE_SAMPLES);
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_FULL);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_FULL);
     capture(2);
-    EXPECT_EQ(f.board().live.capture_start, 0);
+    EXPECT_EQ(f.board().live.capture.start, 0);
     f.tick();
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_FULL) << "what was captured stays";
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_FULL) << "what was captured stays";
     capture(3);
     f.tick();
-    EXPECT_EQ(f.board().signals.capture_state, HB_CAPTURE_RUNNING);
+    EXPECT_EQ(f.board().signals.board.capture_state, HB_CAPTURE_RUNNING);
     f.connect();
     capture(3);
     f.tick(2);
-    EXPECT_GT(f.board().signals.capture_time_us, began_us);
+    EXPECT_GT(f.board().signals.board.capture_time_us, began_us);
 }
 
 } // namespace

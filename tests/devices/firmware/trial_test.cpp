@@ -17,12 +17,12 @@ protected:
     void openTrial() {
         fixture.connect();
         fixture.tick();
-        fixture.writeLive(offsetof(hb_htm_live, trial), {1});
+        fixture.writeLive(offsetof(hb_htm_live, board.trial), {1});
     }
 
     /// The master's transaction: copy to the idle page, write there, switch.
     void writeNewGain() {
-        const std::uint8_t running = fixture.board().xcp.next_page;
+        const std::uint8_t running = fixture.board().board.xcp.next_page;
         const auto idle = static_cast<std::uint8_t>(1 - running);
         fixture.command({0xEB, 0x02, 0, idle});
         fixture.command({0xE4, 0, running, 0, idle});
@@ -32,7 +32,7 @@ protected:
 
     float runningGain() {
         fixture.tick(2);
-        return fixture.board().pages[fixture.board().xcp.active_page].kp;
+        return fixture.board().pages[fixture.board().board.xcp.active_page].kp;
     }
 
     float gainOnTheWire() {
@@ -49,11 +49,11 @@ TEST_F(Trial, silenceOfTheMasterBringsTheOldCalibrationBack) {
     openTrial();
     writeNewGain();
     EXPECT_EQ(runningGain(), NewGain);
-    fixture.writeLive(offsetof(hb_htm_live, watchdog_ms), {200, 0});
+    fixture.writeLive(offsetof(hb_htm_live, board.watchdog_ms), {200, 0});
     fixture.tick(250);
     EXPECT_EQ(runningGain(), OldGain);
-    EXPECT_EQ(fixture.board().live.trial, 0);
-    EXPECT_EQ(fixture.board().signals.torn_count, 0U);
+    EXPECT_EQ(fixture.board().live.board.trial, 0);
+    EXPECT_EQ(fixture.board().signals.board.torn_count, 0U);
 }
 
 TEST_F(Trial, survivesFurtherTransactions) {
@@ -78,7 +78,7 @@ TEST_F(Trial, closedTrialKeepsTheNewCalibration) {
     openTrial();
     writeNewGain();
     fixture.tick(2);
-    fixture.writeLive(offsetof(hb_htm_live, trial), {0});
+    fixture.writeLive(offsetof(hb_htm_live, board.trial), {0});
     fixture.connect();
     EXPECT_EQ(gainOnTheWire(), NewGain);
     EXPECT_EQ(runningGain(), NewGain);
@@ -96,8 +96,8 @@ TEST_F(Trial, withoutOneADisconnectChangesNothing) {
 TEST_F(Trial, newMasterFindsTheBoardDisarmed) {
     fixture.connect();
     fixture.tick();
-    fixture.writeLive(offsetof(hb_htm_live, mode), {HB_MODE_CURRENT});
-    fixture.writeLive(offsetof(hb_htm_live, arm), {1});
+    fixture.writeLive(offsetof(hb_htm_live, board.mode), {HB_MODE_CURRENT});
+    fixture.writeLive(offsetof(hb_htm_live, board.arm), {1});
     fixture.writeLive(offsetof(hb_htm_live, setpoint), BoardFixture::octetsOf(2.0F));
     fixture.tick();
     ASSERT_EQ(fixture.outputs.output_enabled, 1);
@@ -105,17 +105,17 @@ TEST_F(Trial, newMasterFindsTheBoardDisarmed) {
     fixture.tick();
     EXPECT_EQ(fixture.outputs.output_enabled, 0);
     EXPECT_EQ(fixture.outputs.dac_code[0], 2048);
-    EXPECT_EQ(fixture.board().live.arm, 0);
+    EXPECT_EQ(fixture.board().live.board.arm, 0);
 }
 
 TEST_F(Trial, damagedConnectDisarmsNobody) {
     fixture.connect();
     fixture.tick();
-    fixture.writeLive(offsetof(hb_htm_live, mode), {HB_MODE_CURRENT});
-    fixture.writeLive(offsetof(hb_htm_live, arm), {1});
+    fixture.writeLive(offsetof(hb_htm_live, board.mode), {HB_MODE_CURRENT});
+    fixture.writeLive(offsetof(hb_htm_live, board.arm), {1});
     fixture.command({0xFF, 0x77});
     fixture.tick();
-    EXPECT_EQ(fixture.board().live.arm, 1);
+    EXPECT_EQ(fixture.board().live.board.arm, 1);
 }
 
 } // namespace

@@ -127,7 +127,7 @@ TEST(XcpDaq, servesTheCallersOwnSignals) {
     config.extra = {&signal, 1, &truth};
     BoardFixture f(&config);
     f.connect();
-    const std::uint32_t handle = 8U * hb_xcp_description(f.board().xcp.description).signals[0].count;
+    const std::uint32_t handle = 8U * hb_xcp_description(f.board().board.xcp.description).signals[0].count;
     startList(f, {{{handle, 8}}}, 0);
     f.tick();
     const Octets packet = f.received().at(0);
@@ -216,14 +216,15 @@ TEST(XcpDaq, dropsWholeSamplesCountsThemAndSaysSoOnce) {
     startList(f, {{{0, 4}}, {{8, 4}}}, 0);
     f.tick(5000); // 5000 samples of 22 octets in the queue: far more than it holds
     std::uint8_t buffer[HB_MAX_DTO];
-    std::uint16_t counter = hb_htm_counter(&f.board());
+    std::uint16_t counter = hb_board_counter(&f.board().board);
     int samples = 0;
     int overloads = 0;
-    while (const std::uint16_t length = hb_htm_transmit(&f.board(), buffer, sizeof buffer)) {
+    while (const std::uint16_t length = hb_board_transmit(&f.board().board, buffer, sizeof buffer)) {
         const bool is_event = buffer[0] == 0xFD;
         // The event stands where the first sample, two messages, is missing.
-        ASSERT_EQ(hb_htm_counter(&f.board()), static_cast<std::uint16_t>(counter + (is_event ? 3 : 1)));
-        counter = hb_htm_counter(&f.board());
+        ASSERT_EQ(hb_board_counter(&f.board().board),
+                  static_cast<std::uint16_t>(counter + (is_event ? 3 : 1)));
+        counter = hb_board_counter(&f.board().board);
         if (is_event) {
             EXPECT_EQ(buffer[1], 0x06);
             ++overloads;
@@ -237,9 +238,9 @@ TEST(XcpDaq, dropsWholeSamplesCountsThemAndSaysSoOnce) {
     EXPECT_EQ(samples % 2, 0);
     f.tick();
     const int kept = samples / 2;
-    ASSERT_GT(hb_htm_transmit(&f.board(), buffer, sizeof buffer), 0);
+    ASSERT_GT(hb_board_transmit(&f.board().board, buffer, sizeof buffer), 0);
     // Two messages for every sample dropped after the first.
-    EXPECT_EQ(static_cast<std::uint16_t>(hb_htm_counter(&f.board()) - counter),
+    EXPECT_EQ(static_cast<std::uint16_t>(hb_board_counter(&f.board().board) - counter),
               static_cast<std::uint16_t>(2 * (5000 - kept - 1) + 1));
     EXPECT_GT(kept, 1000);
 }

@@ -86,8 +86,8 @@ TEST(XcpParameters, clampsFiniteValuesToTheirLimits) {
     EXPECT_EQ(f.board().pages[0].limit_temperature, 80.0F);
     EXPECT_EQ(f.writePaged(offsetof(hb_htm_calibration, kp), -1.0F), Accepted);
     EXPECT_EQ(f.board().pages[0].kp, 0.0F);
-    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, mode), {9}), Accepted);
-    EXPECT_EQ(f.board().live.mode, HB_MODE_D_AXIS);
+    EXPECT_EQ(f.writeLive(offsetof(hb_htm_live, board.mode), {9}), Accepted);
+    EXPECT_EQ(f.board().live.board.mode, HB_MODE_D_AXIS);
 }
 
 TEST(XcpParameters, protectsSignalsAndEverythingOutsideTheTables) {
@@ -185,9 +185,9 @@ TEST(XcpPages, reportTheOrderedPageBeforeTheLoopTookIt) {
     f.connect();
     f.command({0xEB, 0x01, 0, 1});
     EXPECT_EQ(f.command({0xEA, 0x01, 0}), (Octets{0xFF, 0, 0, 1}));
-    EXPECT_EQ(f.board().xcp.active_page, 0);
+    EXPECT_EQ(f.board().board.xcp.active_page, 0);
     f.tick();
-    EXPECT_EQ(f.board().xcp.active_page, 1);
+    EXPECT_EQ(f.board().board.xcp.active_page, 1);
 }
 
 TEST(XcpPages, areNeverCopiedUnderTheRunningLoop) {
@@ -252,11 +252,11 @@ TEST(XcpPages, neverMixASetInAThousandSwitches) {
     f.connect();
     for (std::uint32_t i = 1; i <= 1000; ++i) {
         switchToNewSet(f, i, static_cast<float>(i));
-        const hb_htm_calibration& running = f.board().pages[f.board().xcp.active_page];
+        const hb_htm_calibration& running = f.board().pages[f.board().board.xcp.active_page];
         ASSERT_EQ(running.kp, static_cast<float>(i));
         ASSERT_EQ(running.ki, static_cast<float>(i));
     }
-    EXPECT_EQ(f.board().signals.torn_count, 0U);
+    EXPECT_EQ(f.board().signals.board.torn_count, 0U);
 }
 
 TEST(XcpPages, countACycleThatSawALiveWriteInTheMiddle) {
@@ -267,7 +267,7 @@ TEST(XcpPages, countACycleThatSawALiveWriteInTheMiddle) {
     f.tick(3);
     f.write(paged(offsetof(hb_htm_calibration, set_last)), f.le32(7));
     f.tick(3);
-    EXPECT_EQ(f.board().signals.torn_count, 3U);
+    EXPECT_EQ(f.board().signals.board.torn_count, 3U);
 }
 
 TEST(XcpPages, areStoredThroughTheCallbackOnly) {
@@ -278,8 +278,8 @@ TEST(XcpPages, areStoredThroughTheCallbackOnly) {
     hb_htm_calibration stored{};
     hb_htm_config config{};
     config.store_context = &stored;
-    config.store = [](void* context, const hb_htm_calibration* page) -> std::uint8_t {
-        *static_cast<hb_htm_calibration*>(context) = *page;
+    config.store = [](void* context, const void* page) -> std::uint8_t {
+        *static_cast<hb_htm_calibration*>(context) = *static_cast<const hb_htm_calibration*>(page);
         return 1;
     };
     BoardFixture f(&config);

@@ -115,10 +115,10 @@ TEST(XcpSession, obeysStopWithoutASessionAndStaysSilent) {
     f.send({0xF1, 0x45});
     EXPECT_TRUE(f.received().empty());
     f.tick();
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_STOPPED);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_STOPPED);
     f.send({0xF1, 0x52}); // the reset needs a session
     f.tick();
-    EXPECT_EQ(f.board().signals.status, HB_STATUS_STOPPED);
+    EXPECT_EQ(f.board().signals.board.status, HB_STATUS_STOPPED);
 }
 
 TEST(XcpSession, ordersAnswersAfterAStopInTheMiddle) {
@@ -137,13 +137,13 @@ TEST(XcpSession, countsMessagesWithoutGaps) {
     std::uint8_t buffer[HB_MAX_DTO];
     std::uint16_t previous = 0;
     f.send({0xFF, 0x00});
-    ASSERT_GT(hb_htm_transmit(&f.board(), buffer, sizeof buffer), 0);
-    previous = hb_htm_counter(&f.board());
+    ASSERT_GT(hb_board_transmit(&f.board().board, buffer, sizeof buffer), 0);
+    previous = hb_board_counter(&f.board().board);
     for (int i = 0; i < 70000; ++i) { // past the turn of the 16 bit counter
         f.send({0xFD});
-        ASSERT_EQ(hb_htm_transmit(&f.board(), buffer, sizeof buffer), 6);
-        ASSERT_EQ(hb_htm_counter(&f.board()), static_cast<std::uint16_t>(previous + 1));
-        previous = hb_htm_counter(&f.board());
+        ASSERT_EQ(hb_board_transmit(&f.board().board, buffer, sizeof buffer), 6);
+        ASSERT_EQ(hb_board_counter(&f.board().board), static_cast<std::uint16_t>(previous + 1));
+        previous = hb_board_counter(&f.board().board);
     }
 }
 

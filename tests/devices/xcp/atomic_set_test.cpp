@@ -63,7 +63,7 @@ protected:
     }
 
     const hb_htm_calibration& running() const {
-        return m_board->firmware().pages[m_board->firmware().xcp.active_page];
+        return m_board->firmware().pages[m_board->firmware().board.xcp.active_page];
     }
 
     std::shared_ptr<SimulatedBoard> m_board;
@@ -83,7 +83,7 @@ TEST_F(AtomicSet, thousandSwitchesNeverMixInOneCycle) {
         ASSERT_EQ(running().kp, static_cast<float>(i));
         ASSERT_EQ(running().ki, static_cast<float>(2 * i));
     }
-    EXPECT_EQ(m_board->firmware().signals.torn_count, 0U);
+    EXPECT_EQ(m_board->firmware().signals.board.torn_count, 0U);
     EXPECT_GE(running().set_first, 1000U) << "every transaction has its own number";
     EXPECT_EQ(running().set_first, running().set_last);
 }
@@ -97,7 +97,7 @@ TEST_F(AtomicSet, theTornCounterWouldSeeAMixture) {
     for (int i = 0; i < 10; ++i) {
         (*torn)->tick();
     }
-    EXPECT_GE((*torn)->firmware().signals.torn_count, 9U);
+    EXPECT_GE((*torn)->firmware().signals.board.torn_count, 9U);
 }
 
 TEST_F(AtomicSet, aLinkThatDiesBetweenAnyTwoCommandsLeavesTheOldSetOrTheNewOne) {
@@ -134,7 +134,7 @@ TEST_F(AtomicSet, aLinkThatDiesBetweenAnyTwoCommandsLeavesTheOldSetOrTheNewOne) 
         const bool isNew = running().kp == next && running().ki == 2.0F * next;
         EXPECT_TRUE(isOld || isNew) << "link lost before command " << at << ": kp " << running().kp;
         changed += isNew ? 1 : 0;
-        EXPECT_EQ(m_board->firmware().signals.torn_count, 0U);
+        EXPECT_EQ(m_board->firmware().signals.board.torn_count, 0U);
     }
     EXPECT_GE(changed, 1U) << "the last losses come after the switch";
     EXPECT_LE(changed, 3U) << "before the switch nothing may change";
@@ -156,7 +156,7 @@ TEST_F(AtomicSet, noiseOnTheLinkNeverPutsAWrongValueIntoAction) {
         }
         ASSERT_EQ(running().ki, 2.0F * running().kp);
     }
-    EXPECT_EQ(m_board->firmware().signals.torn_count, 0U);
+    EXPECT_EQ(m_board->firmware().signals.board.torn_count, 0U);
     EXPECT_GT(device->statistics().commandsRepeated, 0U);
 }
 

@@ -95,7 +95,7 @@ Bench readyToStep(Firmware firmware) {
     }
     EXPECT_TRUE(bench.device->arm());
     EXPECT_TRUE(bench.device->clock().waitFor(0.05));
-    bench.line->isMeant = writeTo(bench.live(offsetof(hb_htm_live, reference_start)));
+    bench.line->isMeant = writeTo(bench.live(offsetof(hb_htm_live, board.reference_start)));
     return bench;
 }
 
@@ -142,7 +142,7 @@ TEST_P(CommandOnce, aStopStopsWhateverIsLost) {
 
 TEST_P(CommandOnce, aCaptureBeginsOnceWhateverIsLost) {
     Bench bench = openBench(Firmware::Now);
-    bench.line->isMeant = writeTo(bench.live(offsetof(hb_htm_live, capture_start)));
+    bench.line->isMeant = writeTo(bench.live(offsetof(hb_htm_live, capture.start)));
     bench.line->loss = GetParam();
     const double sent_s = bench.board->time_s();
     ASSERT_TRUE(bench.write("capture.start", 1.0));
@@ -197,7 +197,7 @@ TEST(CommandOnceStopped, aStartIsNotRepeatedAfterAStop) {
             EXPECT_EQ(started.error().code, ErrorCode::Interrupted) << started.error().message;
             EXPECT_EQ(bench.line->sent, 2) << "the start once, then its end";
             EXPECT_FALSE(bench.isRunning());
-            EXPECT_EQ(bench.board->firmware().safety.armed, 0);
+            EXPECT_EQ(bench.board->firmware().board.safety.armed, 0);
         }
     }
 }

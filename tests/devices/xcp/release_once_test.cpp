@@ -35,7 +35,7 @@ protected:
         device = std::move(*opened);
         ASSERT_TRUE(device->arm());
         device->stop();
-        ASSERT_EQ(board->firmware().safety.stop, HB_LATCH_COMMAND);
+        ASSERT_EQ(board->firmware().board.safety.stop, HB_LATCH_COMMAND);
     }
     /// Of somebody else, who is not answered.
     void stopFromElsewhere() {
@@ -45,8 +45,8 @@ protected:
         while (board->transmit(answer) > 0) {
         }
     }
-    bool isLatched() const { return hb_safety_latch(&board->firmware().safety) != HB_LATCH_NONE; }
-    bool isArmed() const { return board->firmware().safety.armed != 0; }
+    bool isLatched() const { return hb_safety_latch(&board->firmware().board.safety) != HB_LATCH_NONE; }
+    bool isArmed() const { return board->firmware().board.safety.armed != 0; }
 
     std::shared_ptr<SimulatedBoard> board;
     SpoiledLine* line = nullptr;
@@ -82,7 +82,7 @@ TEST_P(ReleaseUnanswered, leavesAStopOfSomebodyElseThatComesBehindIt) {
     const auto released = device->clearStop();
     ASSERT_FALSE(released);
     EXPECT_EQ(released.error().code, ErrorCode::Protocol);
-    EXPECT_EQ(board->firmware().safety.stop, HB_LATCH_COMMAND);
+    EXPECT_EQ(board->firmware().board.safety.stop, HB_LATCH_COMMAND);
     EXPECT_FALSE(device->arm());
 }
 
@@ -95,7 +95,7 @@ TEST_P(ReleaseUnanswered, leavesAFaultThatComesBehindItAndIsOverAgain) {
     };
     const auto released = device->clearStop();
     ASSERT_FALSE(released);
-    EXPECT_NE(board->firmware().safety.fault, HB_FAULT_NONE);
+    EXPECT_NE(board->firmware().board.safety.fault, HB_FAULT_NONE);
     EXPECT_NE(device->state().fault, 0U);
     EXPECT_FALSE(device->arm());
 }

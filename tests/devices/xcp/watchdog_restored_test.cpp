@@ -23,7 +23,7 @@ public:
     int refusals = 0;
 
     Result<void> send(std::span<const std::uint8_t> packet) override {
-        constexpr std::uint32_t Watchdog = 0x8000U + offsetof(hb_htm_live, watchdog_ms);
+        constexpr std::uint32_t Watchdog = 0x8000U + offsetof(hb_htm_live, board.watchdog_ms);
         const bool isMeant = packet.size() == 10 && packet[0] == 0xED && // SHORT_DOWNLOAD of two octets
                              packet[4] + 256U * packet[5] == Watchdog;
         if (isMeant && refusals > 0) {
@@ -61,7 +61,7 @@ protected:
         ASSERT_TRUE(device->arm());
         ASSERT_EQ(watchdog_ms(), 1000);
     }
-    int watchdog_ms() const { return board->firmware().live.watchdog_ms; }
+    int watchdog_ms() const { return board->firmware().live.board.watchdog_ms; }
 
     std::shared_ptr<SimulatedBoard> board;
     RefusingLine* line = nullptr;
@@ -88,7 +88,7 @@ TEST_F(WatchdogRestored, isTriedAgainWhenTheDeviceIsLeft) {
 TEST_F(WatchdogRestored, isToldWhenItFailsForGood) {
     line->refusals = 1000;
     device.reset(); // armed: left by a program that ends
-    EXPECT_EQ(board->firmware().safety.armed, 0);
+    EXPECT_EQ(board->firmware().board.safety.armed, 0);
     EXPECT_NE(said.find("hb.watchdog_ms may still be 1000 instead of 0 ms"), std::string::npos) << said;
 }
 

@@ -20,6 +20,7 @@
 #define HB_NUMBER_DIGITS 6
 #define HB_PLATEAUS 16
 #define HB_SXI_BAUD 115200
+#define HB_ACTUATOR hb_htm_actuator
 
 /* The fastest tick that divides the 10 ms of the position loop and whose longest run takes at most 80 % of
  * it: tests/devices/firmware/avr/budget_test.cpp measures. The speed is taken over the same 32 ms as on the

@@ -11,5 +11,5 @@ avr-gcc -mmcu=atmega328p -Os -flto -mstrict-X -mcall-prologues -fno-move-loop-in
   -std=gnu11 -gdwarf-2 -Wall -Wextra -Werror -DF_CPU=16000000UL \
   '-DHB_BOARD_CONFIG="devices/firmware/boards/htm_atmega328p/board_config.h"' \
   -ffunction-sections -fdata-sections -Wl,--gc-sections -Wl,--relax -I "$root" \
-  "$firmware"/xcp/*.c "$firmware"/control/*.c "$firmware"/htm/*.c "$firmware"/boards/htm_atmega328p/*.c \
+  "$firmware"/xcp/*.c "$firmware"/control/*.c "$firmware"/board/*.c "$firmware"/htm/*.c "$firmware"/boards/htm_atmega328p/*.c \
   -lm -o "$output/htm_atmega328p.elf"

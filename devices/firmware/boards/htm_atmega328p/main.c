@@ -79,7 +79,7 @@ static void runTick(void) {
         inputs.temperature_code[i] = (float)temperature;
     }
     if (!outputs_are_well()) {
-        hb_htm_raise_fault(&Board.motor, HB_FAULT_OUTPUT);
+        hb_board_raise_fault(&Board.motor.board, HB_FAULT_OUTPUT);
     }
     hb_htm_fast_tick(&Board.motor, &inputs, &outputs);
     outputs_write(outputs.dac_code);
@@ -166,7 +166,7 @@ static uint8_t serveReceiver(void) {
     length = hb_sxi_receive(&Board.receiver, Board.received[Board.received_tail]);
     Board.received_tail = (uint8_t)((Board.received_tail + 1U) % RECEIVE_RING);
     if (length > 0) {
-        hb_htm_receive(&Board.motor, hb_sxi_packet(&Board.receiver), length);
+        hb_board_receive(&Board.motor.board, hb_sxi_packet(&Board.receiver), length);
     }
     return 1;
 }
@@ -176,19 +176,21 @@ static uint8_t serveSender(void) {
     if (Board.sending) {
         return 0;
     }
-    length = hb_htm_transmit(&Board.motor, hb_sxi_room(&Board.sender), HB_MAX_DTO);
+    length = hb_board_transmit(&Board.motor.board, hb_sxi_room(&Board.sender), HB_MAX_DTO);
     if (length == 0) {
         return 0;
     }
-    hb_sxi_start(&Board.sender, length, hb_htm_counter(&Board.motor));
+    hb_sxi_start(&Board.sender, length, hb_board_counter(&Board.motor.board));
     Board.sending = 1;
     UCSR0B |= 1 << UDRIE0;
     return 1;
 }
 
-static uint8_t store(void* context, const hb_htm_calibration* page) {
+static uint8_t store(void* context, const void* page) {
     const board_state* board = (const board_state*)context;
-    return stored_page_begin(page, board->motor.xcp.a2l.epk_hash) ? HB_STORE_BEGUN : HB_STORE_REFUSED;
+    return stored_page_begin((const hb_htm_calibration*)page, board->motor.board.xcp.a2l.epk_hash)
+               ? HB_STORE_BEGUN
+               : HB_STORE_REFUSED;
 }
 
 /* Twice where something is stored: what names the tables is known behind the first time. */
@@ -198,7 +200,7 @@ static void startMotor(void) {
     config.store = store;
     config.store_context = &Board;
     hb_htm_init(&Board.motor, &config);
-    config.stored = stored_page_load(Board.motor.xcp.a2l.epk_hash);
+    config.stored = stored_page_load(Board.motor.board.xcp.a2l.epk_hash);
     if (config.stored) {
         hb_htm_init(&Board.motor, &config);
     }
@@ -236,7 +238,7 @@ int main(void) {
         uint8_t was_busy = serveReceiver();
         was_busy |= serveSender();
         if (stored_page_take_end()) {
-            hb_xcp_stored(&Board.motor.xcp);
+            hb_xcp_stored(&Board.motor.board.xcp);
         }
         if (!was_busy) {
             sleep();

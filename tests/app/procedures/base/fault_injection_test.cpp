@@ -151,7 +151,7 @@ protected:
         } else {
             EXPECT_EQ(after, before);
         }
-        EXPECT_EQ(motor.board().firmware().signals.torn_count, 0U);
+        EXPECT_EQ(motor.board().firmware().signals.board.torn_count, 0U);
     }
 
     FaultyMotor motor;

@@ -75,9 +75,9 @@ std::vector<double> delayedResponse(double step_rad, double duration_s, double l
             pending.push_back(
                 {step + latency, {{double(outputs.dac_code[0]), double(outputs.dac_code[1])}, 0.0}});
             if (step == 0) { // armed between the first tick and the second, as by a master
-                board->live.mode = HB_MODE_POSITION;
+                board->live.board.mode = HB_MODE_POSITION;
                 hb_htm_arm(board.get());
-                board->live.watchdog_ms = 60000;
+                board->live.board.watchdog_ms = 60000;
                 board->live.reference.shape = HB_SHAPE_STEP;
                 board->live.reference.amplitude = static_cast<float>(step_rad);
                 board->live.reference.duration_s = 100.0F;
