@@ -1771,20 +1771,12 @@
         <translation>Wahre Rotordrehzahl, nur der Simulation bekannt</translation>
     </message>
     <message>
-        <source>Known keys: {}</source>
-        <translation>Bekannte Schlüssel: {}</translation>
-    </message>
-    <message>
-        <source>the simulator &apos;sim:{}&apos; is not built in this version</source>
-        <translation>der Simulator „sim:{}“ ist in dieser Version nicht enthalten</translation>
-    </message>
-    <message>
         <source>there is no simulator &apos;sim:{}&apos;</source>
         <translation>einen Simulator „sim:{}“ gibt es nicht</translation>
     </message>
     <message>
-        <source>Built simulators: sim:htm.</source>
-        <translation>Enthaltene Simulatoren: sim:htm.</translation>
+        <source>Built simulators: {}.</source>
+        <translation>Enthaltene Simulatoren: {}.</translation>
     </message>
     <message>
         <source>{}={} is out of range</source>
@@ -1803,8 +1795,8 @@
         <translation>seed={} ist keine ganze Zahl</translation>
     </message>
     <message>
-        <source>A seed is a whole number from 0 to 18446744073709551615. {}</source>
-        <translation>Ein Startwert ist eine ganze Zahl von 0 bis 18446744073709551615. {}</translation>
+        <source>A seed is a whole number from 0 to 18446744073709551615. Known keys: {}.</source>
+        <translation>Ein Startwert ist eine ganze Zahl von 0 bis 18446744073709551615. Bekannte Schlüssel: {}.</translation>
     </message>
     <message>
         <source>{}={} is unknown</source>
@@ -1815,8 +1807,8 @@
         <translation>Erlaubt: {}={} und {}={}. {}</translation>
     </message>
     <message>
-        <source>sim:htm has no override &apos;{}&apos;</source>
-        <translation>sim:htm hat keine Einstellung „{}“</translation>
+        <source>{} has no override &apos;{}&apos;</source>
+        <translation>{} hat keine Einstellung „{}“</translation>
     </message>
     <message>
         <source>a message of {} octets was announced, 1 to {} are possible</source>

@@ -1771,20 +1771,12 @@
         <translation>转子的真实转速，仅仿真可知</translation>
     </message>
     <message>
-        <source>Known keys: {}</source>
-        <translation>已知的键：{}</translation>
-    </message>
-    <message>
-        <source>the simulator &apos;sim:{}&apos; is not built in this version</source>
-        <translation>此版本不包含仿真器“sim:{}”</translation>
-    </message>
-    <message>
         <source>there is no simulator &apos;sim:{}&apos;</source>
         <translation>没有仿真器“sim:{}”</translation>
     </message>
     <message>
-        <source>Built simulators: sim:htm.</source>
-        <translation>已包含的仿真器：sim:htm。</translation>
+        <source>Built simulators: {}.</source>
+        <translation>已包含的仿真器：{}。</translation>
     </message>
     <message>
         <source>{}={} is out of range</source>
@@ -1803,8 +1795,8 @@
         <translation>seed={} 不是整数</translation>
     </message>
     <message>
-        <source>A seed is a whole number from 0 to 18446744073709551615. {}</source>
-        <translation>种子是 0 到 18446744073709551615 的整数。{}</translation>
+        <source>A seed is a whole number from 0 to 18446744073709551615. Known keys: {}.</source>
+        <translation>种子是 0 到 18446744073709551615 的整数。已知的键：{}。</translation>
     </message>
     <message>
         <source>{}={} is unknown</source>
@@ -1815,8 +1807,8 @@
         <translation>允许：{}={} 和 {}={}。{}</translation>
     </message>
     <message>
-        <source>sim:htm has no override &apos;{}&apos;</source>
-        <translation>sim:htm 没有设置项“{}”</translation>
+        <source>{} has no override &apos;{}&apos;</source>
+        <translation>{} 没有设置项“{}”</translation>
     </message>
     <message>
         <source>a message of {} octets was announced, 1 to {} are possible</source>

@@ -3,7 +3,7 @@
 #include "devices/device.h"
 #include "devices/device_options.h"
 #include "devices/device_uri.h"
-#include "devices/simulated/simulated_board.h"
+#include "devices/simulated/simulated_model.h"
 
 #include <cstdint>
 #include <memory>
@@ -14,20 +14,18 @@
 
 namespace halbench::devices {
 
-/// What `sim:htm?KEY=VALUE&...` asks for. Keys: those of models/htm/htm_parameters.h and `seed`,
-/// `imperfections` (on, off), `chain` (full, ideal); written values win over the sets, in any order.
-/// Source: resources/help/command-line.md.
+/// What `sim:NAME?KEY=VALUE&...` asks for. Source: resources/help/command-line.md.
 struct SimulatedSetup {
-    models::HtmParameters parameters;
+    const SimulatedModel* model = nullptr;
     std::uint64_t seed = 1;
-    std::vector<std::pair<std::string, std::string>> overrides; ///< as written, sorted by key
+    Overrides overrides; ///< as written, sorted by key
 };
 
 /// `seed` (of the command line) wins over the address. Errors: UnknownName (a simulator or key that does not
 /// exist; the hint lists what does), InvalidInput, NotFinite, OutOfRange.
 Result<SimulatedSetup> parseSimulatedAddress(const DeviceUri& uri, std::optional<std::uint64_t> seed);
 
-/// The board alone, for whoever brings a link of its own (`serve`). Errors as above.
+/// The board alone, for a caller that brings its own link (`serve`). Errors as above.
 Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const DeviceUri& uri,
                                                            std::optional<std::uint64_t> seed,
                                                            SimulatedBoard::Line line = {nullptr, 0});
@@ -35,7 +33,7 @@ Result<std::unique_ptr<SimulatedBoard>> makeSimulatedBoard(const DeviceUri& uri,
 /// The board behind the loopback as a Device. Errors as above, DeviceLost, Protocol.
 Result<std::unique_ptr<Device>> openSimulatedDevice(const DeviceUri& uri, const OpenOptions& options);
 
-/// `sim:htm`, the simulators that are built.
+/// One address per simulator that is built.
 std::vector<DeviceListing> listSimulatedDevices();
 
 } // namespace halbench::devices

@@ -1,7 +1,7 @@
 #include "app/actuators/htm/known_motor.h"
 
 #include "devices/device_uri.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/htm/simulated_htm.h"
 
 namespace halbench::app {
 
@@ -11,15 +11,14 @@ std::optional<KnownMotor> knownMotor(const devices::DeviceInfo& device) {
     }
     KnownMotor motor;
     const Result<devices::DeviceUri> uri = devices::parseDeviceUri(device.uri);
-    if (!uri) {
+    if (!uri || uri->scheme != "sim") {
         return motor;
     }
-    const Result<devices::SimulatedSetup> setup = devices::parseSimulatedAddress(*uri, std::nullopt);
-    if (setup) {
-        motor.rotor.inertia_kg_m2 = setup->parameters.inertia_kg_m2;
-        motor.rotor.viscousDamping_Nm_s = setup->parameters.viscousDamping_Nm_s;
-        motor.rotor.coulombFriction_Nm = setup->parameters.coulombFriction_Nm;
-        motor.torqueConstant_Nm_per_A = setup->parameters.torqueConstant_Nm_per_A;
+    if (const Result<models::HtmParameters> simulated = devices::htmParameters(uri->options)) {
+        motor.rotor.inertia_kg_m2 = simulated->inertia_kg_m2;
+        motor.rotor.viscousDamping_Nm_s = simulated->viscousDamping_Nm_s;
+        motor.rotor.coulombFriction_Nm = simulated->coulombFriction_Nm;
+        motor.torqueConstant_Nm_per_A = simulated->torqueConstant_Nm_per_A;
     }
     return motor;
 }

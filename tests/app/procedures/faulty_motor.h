@@ -1,6 +1,7 @@
 #pragma once
 
 #include "devices/simulated/fault_transport.h"
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
 #include "devices/simulated/simulated_device.h"
 #include "devices/xcp/xcp_device.h"
@@ -41,9 +42,9 @@ public:
     devices::LinkFaults& faults() { return *m_faults; }
     devices::SimulatedBoard& board() { return *m_board; }
 
-    bool isArmed() const { return m_board->firmware().board.safety.armed != 0; }
+    bool isArmed() const { return m_board->firmware().safety.armed != 0; }
     double commandedCurrent_A() const {
-        return static_cast<double>(m_board->firmware().signals.current_command_A);
+        return static_cast<double>(devices::htmFirmware(*m_board).signals.current_command_A);
     }
 
 private:

@@ -71,7 +71,7 @@ private:
             if (port) {
                 port->exchange(*this);
             }
-            m_isArmed = m_board->firmware().board.safety.armed != 0;
+            m_isArmed = m_board->firmware().safety.armed != 0;
         }
     }
 

@@ -1,4 +1,5 @@
 #include "devices/simulated/fault_transport.h"
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
 #include "devices/simulated/simulated_device.h"
 
@@ -14,7 +15,7 @@ const std::vector<std::uint8_t> Connect = {0xFF, 0x00};
 const std::vector<std::uint8_t> GetStatus = {0xFD};
 
 std::shared_ptr<SimulatedBoard> board(std::uint64_t seed = 1) {
-    return *SimulatedBoard::make(models::HtmParameters{}, seed);
+    return *makeSimulatedHtm(models::HtmParameters{}, seed);
 }
 
 TEST(Loopback, answersWithoutLettingTimePass) {

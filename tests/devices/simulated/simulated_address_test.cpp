@@ -1,3 +1,4 @@
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/simulated_device.h"
 
 #include <gtest/gtest.h>
@@ -11,12 +12,18 @@ Result<SimulatedSetup> setup(const std::string& text, std::optional<std::uint64_
     return parseSimulatedAddress(*uri, seed);
 }
 
+models::HtmParameters parametersOf(const Result<SimulatedSetup>& given) {
+    const Result<models::HtmParameters> parameters = htmParameters(given->overrides);
+    EXPECT_TRUE(parameters);
+    return *parameters;
+}
+
 TEST(SimulatedAddress, takesDefaultsFromThePublication) {
     const auto plain = setup("sim:htm");
     ASSERT_TRUE(plain);
     EXPECT_EQ(plain->seed, 1U);
-    EXPECT_EQ(plain->parameters.inertia_kg_m2, 5.5e-4);
-    EXPECT_EQ(plain->parameters.staticFriction_ratio, 1.15);
+    EXPECT_EQ(parametersOf(plain).inertia_kg_m2, 5.5e-4);
+    EXPECT_EQ(parametersOf(plain).staticFriction_ratio, 1.15);
     EXPECT_TRUE(plain->overrides.empty());
 }
 
@@ -24,9 +31,9 @@ TEST(SimulatedAddress, keepsOverridesAsWrittenSortedByKey) {
     const auto given = setup("sim:htm?seed=7&c=2.2e-3&Kf=0&stray_mT_per_A=5");
     ASSERT_TRUE(given);
     EXPECT_EQ(given->seed, 7U);
-    EXPECT_EQ(given->parameters.viscousDamping_Nm_s, 2.2e-3);
-    EXPECT_EQ(given->parameters.coulombFriction_Nm, 0.0);
-    EXPECT_EQ(given->parameters.stray_T_per_A, 5e-3);
+    EXPECT_EQ(parametersOf(given).viscousDamping_Nm_s, 2.2e-3);
+    EXPECT_EQ(parametersOf(given).coulombFriction_Nm, 0.0);
+    EXPECT_EQ(parametersOf(given).stray_T_per_A, 5e-3);
     const std::vector<std::pair<std::string, std::string>> expected = {
         {"Kf", "0"}, {"c", "2.2e-3"}, {"seed", "7"}, {"stray_mT_per_A", "5"}};
     EXPECT_EQ(given->overrides, expected);
@@ -41,13 +48,13 @@ TEST(SimulatedAddress, writtenValuesWinOverTheSetsInAnyOrder) {
                              "sim:htm?Ks_over_Kf=1.15&stray_mT_per_A=2.5&imperfections=off"}) {
         const auto given = setup(text);
         ASSERT_TRUE(given);
-        EXPECT_EQ(given->parameters.staticFriction_ratio, 1.15);
-        EXPECT_EQ(given->parameters.stray_T_per_A, 2.5e-3);
-        EXPECT_EQ(given->parameters.frictionScatter_ratio, 0.0);
-        EXPECT_EQ(given->parameters.hallOffset_T, 0.0);
+        EXPECT_EQ(parametersOf(given).staticFriction_ratio, 1.15);
+        EXPECT_EQ(parametersOf(given).stray_T_per_A, 2.5e-3);
+        EXPECT_EQ(parametersOf(given).frictionScatter_ratio, 0.0);
+        EXPECT_EQ(parametersOf(given).hallOffset_T, 0.0);
     }
-    EXPECT_TRUE(setup("sim:htm?chain=ideal")->parameters.isIdealChain);
-    EXPECT_FALSE(setup("sim:htm?chain=full&imperfections=on")->parameters.isIdealChain);
+    EXPECT_TRUE(parametersOf(setup("sim:htm?chain=ideal")).isIdealChain);
+    EXPECT_FALSE(parametersOf(setup("sim:htm?chain=full&imperfections=on")).isIdealChain);
 }
 
 struct BadAddress {
@@ -83,13 +90,13 @@ INSTANTIATE_TEST_SUITE_P(Cases, SimulatedBadAddress,
                                            BadAddress{"sim:htm?delay_samples=1.5", ErrorCode::OutOfRange}));
 
 TEST(SimulatedAddress, namesSimulatorsThatAreNotBuilt) {
-    for (const char* text : {"sim:planar", "sim:spherical", "sim:nothing"}) {
+    for (const char* text : {"sim:spherical", "sim:nothing"}) {
         const auto refused = setup(text);
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().code, ErrorCode::UnknownName);
         EXPECT_NE(refused.error().hint.find("sim:htm"), std::string::npos);
     }
-    ASSERT_EQ(listSimulatedDevices().size(), 1U);
+    ASSERT_EQ(listSimulatedDevices().size(), simulatedModels().size());
     EXPECT_EQ(listSimulatedDevices()[0].uri, "sim:htm");
 }
 

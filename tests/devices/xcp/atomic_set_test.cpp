@@ -1,4 +1,5 @@
 #include "devices/simulated/fault_transport.h"
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
 #include "devices/xcp/xcp_device.h"
 
@@ -43,7 +44,7 @@ constexpr std::size_t Never = ~std::size_t{0};
 class AtomicSet : public testing::Test {
 protected:
     void SetUp() override {
-        auto board = SimulatedBoard::make({}, 1);
+        auto board = makeSimulatedHtm({}, 1);
         ASSERT_TRUE(board);
         m_board = *std::move(board);
     }
@@ -63,7 +64,7 @@ protected:
     }
 
     const hb_htm_calibration& running() const {
-        return m_board->firmware().pages[m_board->firmware().board.xcp.active_page];
+        return htmFirmware(*m_board).pages[m_board->firmware().xcp.active_page];
     }
 
     std::shared_ptr<SimulatedBoard> m_board;
@@ -83,21 +84,21 @@ TEST_F(AtomicSet, thousandSwitchesNeverMixInOneCycle) {
         ASSERT_EQ(running().kp, static_cast<float>(i));
         ASSERT_EQ(running().ki, static_cast<float>(2 * i));
     }
-    EXPECT_EQ(m_board->firmware().signals.board.torn_count, 0U);
+    EXPECT_EQ(htmFirmware(*m_board).signals.board.torn_count, 0U);
     EXPECT_GE(running().set_first, 1000U) << "every transaction has its own number";
     EXPECT_EQ(running().set_first, running().set_last);
 }
 
 TEST_F(AtomicSet, theTornCounterWouldSeeAMixture) {
     // The proof that the counter of the test above can count: a set whose marks differ.
-    auto torn = SimulatedBoard::make({}, 1);
+    auto torn = makeSimulatedHtm({}, 1);
     ASSERT_TRUE(torn);
-    auto& pages = const_cast<hb_htm&>((*torn)->firmware()).pages;
+    auto& pages = const_cast<hb_htm&>(htmFirmware(**torn)).pages;
     pages[0].set_first = pages[1].set_first = 5;
     for (int i = 0; i < 10; ++i) {
         (*torn)->tick();
     }
-    EXPECT_GE((*torn)->firmware().signals.board.torn_count, 9U);
+    EXPECT_GE(htmFirmware(**torn).signals.board.torn_count, 9U);
 }
 
 TEST_F(AtomicSet, aLinkThatDiesBetweenAnyTwoCommandsLeavesTheOldSetOrTheNewOne) {
@@ -134,7 +135,7 @@ TEST_F(AtomicSet, aLinkThatDiesBetweenAnyTwoCommandsLeavesTheOldSetOrTheNewOne) 
         const bool isNew = running().kp == next && running().ki == 2.0F * next;
         EXPECT_TRUE(isOld || isNew) << "link lost before command " << at << ": kp " << running().kp;
         changed += isNew ? 1 : 0;
-        EXPECT_EQ(m_board->firmware().signals.board.torn_count, 0U);
+        EXPECT_EQ(htmFirmware(*m_board).signals.board.torn_count, 0U);
     }
     EXPECT_GE(changed, 1U) << "the last losses come after the switch";
     EXPECT_LE(changed, 3U) << "before the switch nothing may change";
@@ -156,7 +157,7 @@ TEST_F(AtomicSet, noiseOnTheLinkNeverPutsAWrongValueIntoAction) {
         }
         ASSERT_EQ(running().ki, 2.0F * running().kp);
     }
-    EXPECT_EQ(m_board->firmware().signals.board.torn_count, 0U);
+    EXPECT_EQ(htmFirmware(*m_board).signals.board.torn_count, 0U);
     EXPECT_GT(device->statistics().commandsRepeated, 0U);
 }
 

@@ -1,4 +1,5 @@
 #include "devices/simulated/fault_transport.h"
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
 #include "devices/xcp/xcp_device.h"
 #include "devices/xcp/xcp_master.h"
@@ -42,7 +43,7 @@ struct Bench {
         EXPECT_TRUE(values) << values.error().message;
         return values ? values->front() : NAN;
     }
-    bool isRunning() const { return board->firmware().reference.running != 0; }
+    bool isRunning() const { return htmFirmware(*board).reference.running != 0; }
 };
 
 std::string descriptionOf(const std::shared_ptr<SimulatedBoard>& board) {
@@ -68,7 +69,7 @@ std::string withoutOrders(std::string text) {
 
 Bench openBench(Firmware firmware) {
     Bench bench;
-    auto board = SimulatedBoard::make({}, 1);
+    auto board = makeSimulatedHtm({}, 1);
     EXPECT_TRUE(board);
     bench.board = std::shared_ptr<SimulatedBoard>(std::move(*board));
     XcpDeviceOptions options;
@@ -197,7 +198,7 @@ TEST(CommandOnceStopped, aStartIsNotRepeatedAfterAStop) {
             EXPECT_EQ(started.error().code, ErrorCode::Interrupted) << started.error().message;
             EXPECT_EQ(bench.line->sent, 2) << "the start once, then its end";
             EXPECT_FALSE(bench.isRunning());
-            EXPECT_EQ(bench.board->firmware().board.safety.armed, 0);
+            EXPECT_EQ(bench.board->firmware().safety.armed, 0);
         }
     }
 }
@@ -213,7 +214,7 @@ TEST(CommandOnceRefused, aRefusalIsToldAsItIs) {
 
 TEST(CommandOnceNoisy, aHundredSmallStepsAddUpOnALineThatLosesOneMessageInFifty) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-        auto made = SimulatedBoard::make({}, seed);
+        auto made = makeSimulatedHtm({}, seed);
         ASSERT_TRUE(made);
         const auto board = std::shared_ptr<SimulatedBoard>(std::move(*made));
         const auto faults = std::make_shared<LinkFaults>();
@@ -228,7 +229,7 @@ TEST(CommandOnceNoisy, aHundredSmallStepsAddUpOnALineThatLosesOneMessageInFifty)
         ASSERT_TRUE((*device)->writeParameters(generator));
         ASSERT_TRUE((*device)->arm());
         ASSERT_TRUE((*device)->clock().waitFor(0.05));
-        const float before_rad = board->firmware().signals.reference;
+        const float before_rad = htmFirmware(*board).signals.reference;
         faults->dropReceived_ratio = faults->dropSent_ratio = 0.02;
         for (int i = 0; i < 100; ++i) {
             const ParameterValue start[] = {{"reference.start", 1.0}};
@@ -238,7 +239,8 @@ TEST(CommandOnceNoisy, aHundredSmallStepsAddUpOnALineThatLosesOneMessageInFifty)
         }
         EXPECT_GT((*device)->statistics().commandsRepeated, 0U);
         // 100 additions of float steps near 1 rad: less than 1e-5
-        EXPECT_NEAR(static_cast<double>(board->firmware().signals.reference - before_rad), 1.0, 1e-5) << seed;
+        EXPECT_NEAR(static_cast<double>(htmFirmware(*board).signals.reference - before_rad), 1.0, 1e-5)
+            << seed;
     }
 }
 

@@ -1,4 +1,5 @@
 #include "devices/simulated/fault_transport.h"
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
 #include "devices/xcp/xcp_device.h"
 
@@ -13,7 +14,7 @@ namespace {
 class NoisyLine : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(NoisyLine, armedForAMinuteWithoutLossOfSessionAndEveryGapCounted) {
-    auto board = SimulatedBoard::make({}, 1);
+    auto board = makeSimulatedHtm({}, 1);
     ASSERT_TRUE(board);
     const auto faults = std::make_shared<LinkFaults>();
     auto device =

@@ -1,4 +1,6 @@
+#include "control/base/random.h"
 #include "devices/firmware/xcp/hb_sxi.h"
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
 #include "devices/transport/sxi_codec.h"
 #include "devices/xcp/xcp_device.h"
@@ -121,7 +123,7 @@ struct Motion {
 /// A sine, armed, with octets lost all the time once it moves.
 void move(double loss_ratio, double duration_s, std::uint64_t seed, const std::shared_ptr<LineRecord>& line,
           Motion& motion) {
-    auto made = SimulatedBoard::make({}, 1, {nullptr, HB_SXI_LONGEST_PACKET});
+    auto made = makeSimulatedHtm({}, 1, {nullptr, HB_SXI_LONGEST_PACKET});
     ASSERT_TRUE(made);
     auto device = openXcpDevice(
         std::make_unique<LosingLine>(std::shared_ptr<SimulatedBoard>(*std::move(made)), line, seed), {});

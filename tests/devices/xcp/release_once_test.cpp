@@ -1,3 +1,4 @@
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/xcp/xcp_device.h"
 #include "tests/devices/xcp/spoiled_line.h"
 
@@ -25,7 +26,7 @@ bool isRelease(std::span<const std::uint8_t> packet) {
 class ReleaseOnce : public testing::TestWithParam<Loss> {
 protected:
     void SetUp() override {
-        auto made = SimulatedBoard::make({}, 1);
+        auto made = makeSimulatedHtm({}, 1);
         ASSERT_TRUE(made);
         board = std::shared_ptr<SimulatedBoard>(std::move(*made));
         auto transport = std::make_unique<SpoiledLine>(board, Late_s, isRelease);
@@ -35,7 +36,7 @@ protected:
         device = std::move(*opened);
         ASSERT_TRUE(device->arm());
         device->stop();
-        ASSERT_EQ(board->firmware().board.safety.stop, HB_LATCH_COMMAND);
+        ASSERT_EQ(board->firmware().safety.stop, HB_LATCH_COMMAND);
     }
     /// Of somebody else, who is not answered.
     void stopFromElsewhere() {
@@ -45,8 +46,8 @@ protected:
         while (board->transmit(answer) > 0) {
         }
     }
-    bool isLatched() const { return hb_safety_latch(&board->firmware().board.safety) != HB_LATCH_NONE; }
-    bool isArmed() const { return board->firmware().board.safety.armed != 0; }
+    bool isLatched() const { return hb_safety_latch(&board->firmware().safety) != HB_LATCH_NONE; }
+    bool isArmed() const { return board->firmware().safety.armed != 0; }
 
     std::shared_ptr<SimulatedBoard> board;
     SpoiledLine* line = nullptr;
@@ -82,20 +83,20 @@ TEST_P(ReleaseUnanswered, leavesAStopOfSomebodyElseThatComesBehindIt) {
     const auto released = device->clearStop();
     ASSERT_FALSE(released);
     EXPECT_EQ(released.error().code, ErrorCode::Protocol);
-    EXPECT_EQ(board->firmware().board.safety.stop, HB_LATCH_COMMAND);
+    EXPECT_EQ(board->firmware().safety.stop, HB_LATCH_COMMAND);
     EXPECT_FALSE(device->arm());
 }
 
 TEST_P(ReleaseUnanswered, leavesAFaultThatComesBehindItAndIsOverAgain) {
     line->loss = GetParam();
     line->meanwhile = [this] {
-        board->breakHallSensor(1023.0);
+        board->breakReading(HtmHallReading, 1023.0);
         board->advanceTo(board->time_s() + 0.005);
-        board->breakHallSensor(512.0);
+        board->breakReading(HtmHallReading, 512.0);
     };
     const auto released = device->clearStop();
     ASSERT_FALSE(released);
-    EXPECT_NE(board->firmware().board.safety.fault, HB_FAULT_NONE);
+    EXPECT_NE(board->firmware().safety.fault, HB_FAULT_NONE);
     EXPECT_NE(device->state().fault, 0U);
     EXPECT_FALSE(device->arm());
 }

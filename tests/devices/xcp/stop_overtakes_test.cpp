@@ -1,4 +1,5 @@
 #include "devices/simulated/fault_transport.h"
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
 #include "devices/simulated/simulated_board.h"
 #include "devices/xcp/xcp_device.h"
@@ -56,7 +57,7 @@ private:
 class StopOvertakes : public testing::Test {
 protected:
     void SetUp() override {
-        auto board = SimulatedBoard::make({}, 1);
+        auto board = makeSimulatedHtm({}, 1);
         ASSERT_TRUE(board);
         const auto faults = std::make_shared<LinkFaults>();
         auto loopback =

@@ -1,3 +1,4 @@
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
 #include "devices/xcp/xcp_device.h"
 
@@ -16,7 +17,7 @@ public:
 };
 
 TEST(StreamRemark, tellsWhatTheLineSaysOfTheStreamBeforeItBegins) {
-    auto board = SimulatedBoard::make({}, 1);
+    auto board = makeSimulatedHtm({}, 1);
     ASSERT_TRUE(board);
     std::vector<std::string> said;
     XcpDeviceOptions options;

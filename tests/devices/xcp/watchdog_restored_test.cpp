@@ -1,3 +1,4 @@
+#include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
 #include "devices/xcp/xcp_device.h"
 
@@ -48,7 +49,7 @@ private:
 class WatchdogRestored : public testing::Test {
 protected:
     void SetUp() override {
-        auto made = SimulatedBoard::make({}, 1);
+        auto made = makeSimulatedHtm({}, 1);
         ASSERT_TRUE(made);
         board = std::shared_ptr<SimulatedBoard>(std::move(*made));
         auto transport = std::make_unique<RefusingLine>(board);
@@ -61,7 +62,7 @@ protected:
         ASSERT_TRUE(device->arm());
         ASSERT_EQ(watchdog_ms(), 1000);
     }
-    int watchdog_ms() const { return board->firmware().live.board.watchdog_ms; }
+    int watchdog_ms() const { return htmFirmware(*board).live.board.watchdog_ms; }
 
     std::shared_ptr<SimulatedBoard> board;
     RefusingLine* line = nullptr;
@@ -88,7 +89,7 @@ TEST_F(WatchdogRestored, isTriedAgainWhenTheDeviceIsLeft) {
 TEST_F(WatchdogRestored, isToldWhenItFailsForGood) {
     line->refusals = 1000;
     device.reset(); // armed: left by a program that ends
-    EXPECT_EQ(board->firmware().board.safety.armed, 0);
+    EXPECT_EQ(board->firmware().safety.armed, 0);
     EXPECT_NE(said.find("hb.watchdog_ms may still be 1000 instead of 0 ms"), std::string::npos) << said;
 }
 

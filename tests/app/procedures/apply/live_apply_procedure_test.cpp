@@ -1,4 +1,5 @@
 #include "app/procedures/apply/live_apply_procedure.h"
+#include "devices/simulated/htm/simulated_htm.h"
 #include "tests/app/procedures/faulty_motor.h"
 #include "tests/app/procedures/rogue_board.h"
 #include "tests/app/procedures/simulated_motor.h"
@@ -206,7 +207,8 @@ TEST_F(LiveApplyLater, aFaultOfTheBoardRestores) {
     const auto device = board.connect();
     const std::vector<double> before = gains(*device);
     const auto result =
-        runLiveApply(*device, toRecommended(), inThirdStep([&] { board.board().breakHallSensor(1023.0); }));
+        runLiveApply(*device, toRecommended(),
+                     inThirdStep([&] { board.board().breakReading(devices::HtmHallReading, 1023.0); }));
     EXPECT_FALSE(result && result->apply.isKept);
     EXPECT_EQ(gains(*device), before);
     EXPECT_FALSE(board.isArmed());

@@ -1,3 +1,4 @@
+#include "devices/simulated/htm/simulated_htm.h"
 #include "tests/app/procedures/base/procedure_cases.h"
 #include "tests/app/procedures/faulty_motor.h"
 
@@ -123,7 +124,7 @@ protected:
             motor.faults().isUnplugged = true;
             break;
         case Fault::BoardFault:
-            motor.board().breakHallSensor(1023.0);
+            motor.board().breakReading(devices::HtmHallReading, 1023.0);
             break;
         case Fault::NotANumber:
             motor.faults().alterReceived = spoilSamples;
@@ -151,7 +152,7 @@ protected:
         } else {
             EXPECT_EQ(after, before);
         }
-        EXPECT_EQ(motor.board().firmware().signals.board.torn_count, 0U);
+        EXPECT_EQ(devices::htmFirmware(motor.board()).signals.board.torn_count, 0U);
     }
 
     FaultyMotor motor;

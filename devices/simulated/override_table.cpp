@@ -1,0 +1,39 @@
+#include "devices/simulated/override_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+namespace halbench::devices {
+
+Result<double> parseOverride(const std::string& key, const std::string& text, const std::string& keys) {
+    double value = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [stop, status] = std::from_chars(text.data(), end, value);
+    if (status == std::errc::result_out_of_range && stop == end) {
+        return failure(ErrorCode::OutOfRange, fmt::format("{}={} is out of range", key, text), keys);
+    }
+    if (status != std::errc() || stop != end) {
+        return failure(ErrorCode::InvalidInput, fmt::format("{}={} is not a number", key, text),
+                       "Write numbers like 2e-3. " + keys);
+    }
+    return value;
+}
+
+Result<bool> parseOverrideChoice(const Overrides& overrides, const std::string& key, const char* usual,
+                                 const char* other, const std::string& keys) {
+    const auto given =
+        std::find_if(overrides.begin(), overrides.end(), [&](const auto& row) { return row.first == key; });
+    if (given == overrides.end() || given->second == usual) {
+        return false;
+    }
+    if (given->second == other) {
+        return true;
+    }
+    return failure(ErrorCode::InvalidInput, fmt::format("{}={} is unknown", key, given->second),
+                   fmt::format("Allowed: {}={} and {}={}. {}", key, usual, key, other, keys));
+}
+
+} // namespace halbench::devices

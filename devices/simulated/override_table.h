@@ -1,0 +1,66 @@
+#pragma once
+
+#include "control/base/result.h"
+#include "devices/simulated/simulated_model.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+namespace halbench::devices {
+
+/// The value of a key as a number. Errors: OutOfRange, InvalidInput; `keys` stand in the hint.
+Result<double> parseOverride(const std::string& key, const std::string& text, const std::string& keys);
+
+/// One of two words; true for the second. Errors: InvalidInput.
+Result<bool> parseOverrideChoice(const Overrides& overrides, const std::string& key, const char* usual,
+                                 const char* other, const std::string& keys);
+
+/// What an address may change in the parameters of one simulated device. Besides its own keys every device
+/// takes `imperfections` (on, off) and `chain` (full, ideal).
+template <typename Parameters>
+struct OverrideTable {
+    std::string address; ///< e.g. "sim:htm", for messages
+    std::string keys;    ///< all of them, for messages
+    bool (*isKnown)(std::string_view key);
+    Result<void> (*set)(Parameters& parameters, std::string_view key, double value);
+    Parameters (*withoutImperfections)(Parameters parameters);
+    Parameters (*withIdealChain)(Parameters parameters);
+};
+
+/// Parameters with the overrides in force. Written values win over the sets, in any order; `seed` belongs to
+/// the address and is skipped. Errors: UnknownName, InvalidInput, NotFinite, OutOfRange.
+template <typename Parameters>
+Result<Parameters> withOverrides(const OverrideTable<Parameters>& table, const Overrides& overrides) {
+    const std::string hint = fmt::format("Known keys: {}.", table.keys);
+    const Result<bool> isOff = parseOverrideChoice(overrides, "imperfections", "on", "off", hint);
+    if (!isOff) {
+        return failure(isOff.error());
+    }
+    const Result<bool> isIdeal = parseOverrideChoice(overrides, "chain", "full", "ideal", hint);
+    if (!isIdeal) {
+        return failure(isIdeal.error());
+    }
+    Parameters parameters;
+    parameters = *isOff ? table.withoutImperfections(parameters) : parameters;
+    parameters = *isIdeal ? table.withIdealChain(parameters) : parameters;
+    for (const auto& [key, text] : overrides) {
+        if (key == "imperfections" || key == "chain" || key == "seed") {
+            continue;
+        }
+        if (!table.isKnown(key)) {
+            return failure(ErrorCode::UnknownName, fmt::format("{} has no override '{}'", table.address, key),
+                           hint);
+        }
+        const Result<double> value = parseOverride(key, text, hint);
+        if (!value) {
+            return failure(value.error());
+        }
+        if (const Result<void> isSet = table.set(parameters, key, *value); !isSet) {
+            return failure(isSet.error());
+        }
+    }
+    return parameters;
+}
+
+} // namespace halbench::devices
