@@ -95,6 +95,282 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>Pose of the platen along {}</source>
+        <translation>Pose des Läufers entlang {}</translation>
+    </message>
+    <message>
+        <source>Pose of the platen about the vertical</source>
+        <translation>Drehlage des Läufers um die Hochachse</translation>
+    </message>
+    <message>
+        <source>Speed of the platen along {}</source>
+        <translation>Geschwindigkeit des Läufers entlang {}</translation>
+    </message>
+    <message>
+        <source>Speed of the platen about the vertical</source>
+        <translation>Drehgeschwindigkeit des Läufers um die Hochachse</translation>
+    </message>
+    <message>
+        <source>Reference, or effort in mode wrench, along {}</source>
+        <translation>Führungsgröße, in der Betriebsart Kraft und Moment die Kraft, entlang {}</translation>
+    </message>
+    <message>
+        <source>Reference, or effort in mode wrench, about the vertical</source>
+        <translation>Führungsgröße, in der Betriebsart Kraft und Moment das Moment, um die Hochachse</translation>
+    </message>
+    <message>
+        <source>Force or torque of the currents along {}</source>
+        <translation>Kraft der Ströme entlang {}</translation>
+    </message>
+    <message>
+        <source>Force or torque of the currents about the vertical</source>
+        <translation>Moment der Ströme um die Hochachse</translation>
+    </message>
+    <message>
+        <source>Current commanded into coil {}</source>
+        <translation>Vorgegebener Strom in Spule {}</translation>
+    </message>
+    <message>
+        <source>Field along x&apos; at chip {}</source>
+        <translation>Feld entlang x&apos; am Hallchip {}</translation>
+    </message>
+    <message>
+        <source>Field along y&apos; at chip {}</source>
+        <translation>Feld entlang y&apos; am Hallchip {}</translation>
+    </message>
+    <message>
+        <source>Vertical force of the coils, upward</source>
+        <translation>Senkrechte Kraft der Spulen, nach oben positiv</translation>
+    </message>
+    <message>
+        <source>Squared residuals of the readings over their deviation</source>
+        <translation>Quadrierte Abweichungen der Messwerte, bezogen auf ihre Streuung</translation>
+    </message>
+    <message>
+        <source>Below 1: currents at their limit</source>
+        <translation>Unter 1: Ströme an ihrer Grenze</translation>
+    </message>
+    <message>
+        <source>Pitches from the first cell along {}</source>
+        <translation>Teilungen seit der ersten Zelle entlang {}</translation>
+    </message>
+    <message>
+        <source>1, 2, 4: chips that are not used, added</source>
+        <translation>1, 2, 4: nicht verwendete Hallchips, addiert</translation>
+    </message>
+    <message>
+        <source>The first cell was chosen</source>
+        <translation>Die erste Zelle wurde gewählt</translation>
+    </message>
+    <message>
+        <source>coil currents</source>
+        <translation>Spulenströme</translation>
+    </message>
+    <message>
+        <source>wrench</source>
+        <translation>Kraft und Moment</translation>
+    </message>
+    <message>
+        <source>pose jumped</source>
+        <translation>Pose gesprungen</translation>
+    </message>
+    <message>
+        <source>sensors determine no pose</source>
+        <translation>die Sensoren bestimmen keine Pose</translation>
+    </message>
+    <message>
+        <source>vertical force near the weight</source>
+        <translation>senkrechte Kraft nahe dem Gewicht</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>Derivative gain on the measured speed</source>
+        <translation>Differentialverstärkung auf die gemessene Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Part of a step that the proportional gain sees</source>
+        <translation>Anteil eines Sprungs, der auf die Proportionalverstärkung wirkt</translation>
+    </message>
+    <message>
+        <source>Effort per acceleration of a profile</source>
+        <translation>Kraft oder Moment je Beschleunigung eines Profils</translation>
+    </message>
+    <message>
+        <source>Moving mass</source>
+        <translation>Bewegte Masse</translation>
+    </message>
+    <message>
+        <source>Inertia about the vertical</source>
+        <translation>Trägheitsmoment um die Hochachse</translation>
+    </message>
+    <message>
+        <source>Centre of mass in platen axes</source>
+        <translation>Schwerpunkt in Achsen des Läufers</translation>
+    </message>
+    <message>
+        <source>Force per ampere; negative by the sign of the phases</source>
+        <translation>Kraft je Ampere; negativ durch das Vorzeichen der Phasen</translation>
+    </message>
+    <message>
+        <source>Pitch of the magnet matrix</source>
+        <translation>Teilung der Magnetmatrix</translation>
+    </message>
+    <message>
+        <source>Width of a coil&apos;s winding</source>
+        <translation>Breite der Wicklung einer Spule</translation>
+    </message>
+    <message>
+        <source>Place of coils 5 and 6 along y&apos;</source>
+        <translation>Lage der Spulen 5 und 6 entlang y&apos;</translation>
+    </message>
+    <message>
+        <source>Time constant of the speeds</source>
+        <translation>Zeitkonstante der Geschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Largest current of a coil</source>
+        <translation>Größter Strom einer Spule</translation>
+    </message>
+    <message>
+        <source>Vertical force that trips</source>
+        <translation>Senkrechte Kraft, die abschaltet</translation>
+    </message>
+    <message>
+        <source>Largest excursion from where the mode began</source>
+        <translation>Größte Auslenkung seit Beginn der Betriebsart</translation>
+    </message>
+    <message>
+        <source>Largest rotation from where the mode began</source>
+        <translation>Größte Drehung seit Beginn der Betriebsart</translation>
+    </message>
+    <message>
+        <source>Largest speed of rotation while armed</source>
+        <translation>Größte Drehgeschwindigkeit im scharfen Zustand</translation>
+    </message>
+    <message>
+        <source>Delay of the currents</source>
+        <translation>Verzögerung der Ströme</translation>
+    </message>
+    <message>
+        <source>Field amplitude at the chip</source>
+        <translation>Feldamplitude am Hallchip</translation>
+    </message>
+    <message>
+        <source>Place of the chip in platen axes</source>
+        <translation>Lage des Hallchips in Achsen des Läufers</translation>
+    </message>
+    <message>
+        <source>Error of the sensitivity along x&apos;</source>
+        <translation>Fehler der Empfindlichkeit entlang x&apos;</translation>
+    </message>
+    <message>
+        <source>Error of the sensitivity along y&apos;</source>
+        <translation>Fehler der Empfindlichkeit entlang y&apos;</translation>
+    </message>
+    <message>
+        <source>Share of the field along y&apos; in the reading of x&apos;</source>
+        <translation>Anteil des Feldes entlang y&apos; am Messwert von x&apos;</translation>
+    </message>
+    <message>
+        <source>Share of the field along x&apos; in the reading of y&apos;</source>
+        <translation>Anteil des Feldes entlang x&apos; am Messwert von y&apos;</translation>
+    </message>
+    <message>
+        <source>Offset of the reading of x&apos;</source>
+        <translation>Nullpunktfehler des Messwerts von x&apos;</translation>
+    </message>
+    <message>
+        <source>Offset of the reading of y&apos;</source>
+        <translation>Nullpunktfehler des Messwerts von y&apos;</translation>
+    </message>
+    <message>
+        <source>Field of coil 1 ... 6 at chip 1 along x&apos;, along y&apos;, at chip 2, ...</source>
+        <translation>Feld der Spulen 1 ... 6 am Hallchip 1 entlang x&apos;, entlang y&apos;, am Hallchip 2, ...</translation>
+    </message>
+    <message>
+        <source>Deviation of a reading: noise and what calibration leaves</source>
+        <translation>Streuung eines Messwerts: Rauschen und Rest der Kalibrierung</translation>
+    </message>
+    <message>
+        <source>m from where the mode began, or N</source>
+        <translation>m seit Beginn der Betriebsart, oder N</translation>
+    </message>
+    <message>
+        <source>rad from where the mode began, or N*m</source>
+        <translation>rad seit Beginn der Betriebsart, oder N*m</translation>
+    </message>
+    <message>
+        <source>Current of one coil in mode coil currents</source>
+        <translation>Strom einer Spule in der Betriebsart Spulenströme</translation>
+    </message>
+    <message>
+        <source>1 counts cells from the present one</source>
+        <translation>1 zählt die Zellen ab der jetzigen</translation>
+    </message>
+    <message>
+        <source>m, rad, N or N*m; height of one step of the staircase, end of the ramp</source>
+        <translation>m, rad, N oder N*m; Höhe einer Stufe der Treppe, Ende der Rampe</translation>
+    </message>
+    <message>
+        <source>Slope of the ramp per second</source>
+        <translation>Steigung der Rampe je Sekunde</translation>
+    </message>
+    <message>
+        <source>Constant speed added in mode position, else effort</source>
+        <translation>Zusätzliche konstante Geschwindigkeit in der Betriebsart Position, sonst Kraft oder Moment</translation>
+    </message>
+    <message>
+        <source>force constant</source>
+        <translation>Kraftkonstante</translation>
+    </message>
+    <message>
+        <source>Planar six-coil positioner</source>
+        <translation>Planarer Positionierer mit sechs Spulen</translation>
+    </message>
+    <message>
+        <source>True pose along x, known to the simulation only</source>
+        <translation>Wahre Pose entlang x, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>True pose along y, known to the simulation only</source>
+        <translation>Wahre Pose entlang y, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>True rotation, known to the simulation only</source>
+        <translation>Wahre Drehlage, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>True speed along x, known to the simulation only</source>
+        <translation>Wahre Geschwindigkeit entlang x, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>True speed along y, known to the simulation only</source>
+        <translation>Wahre Geschwindigkeit entlang y, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>True speed of rotation, known to the simulation only</source>
+        <translation>Wahre Drehgeschwindigkeit, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>True force of the coils along x, known to the simulation only</source>
+        <translation>Wahre Kraft der Spulen entlang x, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>True force of the coils along y, known to the simulation only</source>
+        <translation>Wahre Kraft der Spulen entlang y, nur der Simulation bekannt</translation>
+    </message>
+    <message>
+        <source>True torque of the coils, known to the simulation only</source>
+        <translation>Wahres Moment der Spulen, nur der Simulation bekannt</translation>
+    </message>
+    <message>
         <source>check the link</source>
         <translation>die Verbindung prüfen</translation>
     </message>

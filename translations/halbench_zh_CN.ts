@@ -95,6 +95,282 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>Pose of the platen along {}</source>
+        <translation>动子沿 {} 的位姿</translation>
+    </message>
+    <message>
+        <source>Pose of the platen about the vertical</source>
+        <translation>动子绕竖轴的转角</translation>
+    </message>
+    <message>
+        <source>Speed of the platen along {}</source>
+        <translation>动子沿 {} 的速度</translation>
+    </message>
+    <message>
+        <source>Speed of the platen about the vertical</source>
+        <translation>动子绕竖轴的转速</translation>
+    </message>
+    <message>
+        <source>Reference, or effort in mode wrench, along {}</source>
+        <translation>沿 {} 的参考值，力与力矩模式下为力</translation>
+    </message>
+    <message>
+        <source>Reference, or effort in mode wrench, about the vertical</source>
+        <translation>绕竖轴的参考值，力与力矩模式下为力矩</translation>
+    </message>
+    <message>
+        <source>Force or torque of the currents along {}</source>
+        <translation>电流沿 {} 产生的力</translation>
+    </message>
+    <message>
+        <source>Force or torque of the currents about the vertical</source>
+        <translation>电流绕竖轴产生的力矩</translation>
+    </message>
+    <message>
+        <source>Current commanded into coil {}</source>
+        <translation>线圈 {} 的给定电流</translation>
+    </message>
+    <message>
+        <source>Field along x&apos; at chip {}</source>
+        <translation>霍尔芯片 {} 处沿 x&apos; 的磁场</translation>
+    </message>
+    <message>
+        <source>Field along y&apos; at chip {}</source>
+        <translation>霍尔芯片 {} 处沿 y&apos; 的磁场</translation>
+    </message>
+    <message>
+        <source>Vertical force of the coils, upward</source>
+        <translation>线圈的竖直力，向上为正</translation>
+    </message>
+    <message>
+        <source>Squared residuals of the readings over their deviation</source>
+        <translation>读数残差平方与其偏差之比</translation>
+    </message>
+    <message>
+        <source>Below 1: currents at their limit</source>
+        <translation>小于 1：电流达到限值</translation>
+    </message>
+    <message>
+        <source>Pitches from the first cell along {}</source>
+        <translation>沿 {} 距起始单元的节距数</translation>
+    </message>
+    <message>
+        <source>1, 2, 4: chips that are not used, added</source>
+        <translation>1、2、4：未使用的霍尔芯片之和</translation>
+    </message>
+    <message>
+        <source>The first cell was chosen</source>
+        <translation>已选定起始单元</translation>
+    </message>
+    <message>
+        <source>coil currents</source>
+        <translation>线圈电流</translation>
+    </message>
+    <message>
+        <source>wrench</source>
+        <translation>力与力矩</translation>
+    </message>
+    <message>
+        <source>pose jumped</source>
+        <translation>位姿跳变</translation>
+    </message>
+    <message>
+        <source>sensors determine no pose</source>
+        <translation>传感器无法确定位姿</translation>
+    </message>
+    <message>
+        <source>vertical force near the weight</source>
+        <translation>竖直力接近重力</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>Derivative gain on the measured speed</source>
+        <translation>对实测速度的微分增益</translation>
+    </message>
+    <message>
+        <source>Part of a step that the proportional gain sees</source>
+        <translation>比例增益所作用的阶跃份额</translation>
+    </message>
+    <message>
+        <source>Effort per acceleration of a profile</source>
+        <translation>轨迹单位加速度所需的力或力矩</translation>
+    </message>
+    <message>
+        <source>Moving mass</source>
+        <translation>运动质量</translation>
+    </message>
+    <message>
+        <source>Inertia about the vertical</source>
+        <translation>绕竖轴的转动惯量</translation>
+    </message>
+    <message>
+        <source>Centre of mass in platen axes</source>
+        <translation>动子坐标系中的质心</translation>
+    </message>
+    <message>
+        <source>Force per ampere; negative by the sign of the phases</source>
+        <translation>每安培的力；因相位符号为负</translation>
+    </message>
+    <message>
+        <source>Pitch of the magnet matrix</source>
+        <translation>磁体阵列的节距</translation>
+    </message>
+    <message>
+        <source>Width of a coil&apos;s winding</source>
+        <translation>线圈绕组的宽度</translation>
+    </message>
+    <message>
+        <source>Place of coils 5 and 6 along y&apos;</source>
+        <translation>线圈 5 和 6 沿 y&apos; 的位置</translation>
+    </message>
+    <message>
+        <source>Time constant of the speeds</source>
+        <translation>速度估计的时间常数</translation>
+    </message>
+    <message>
+        <source>Largest current of a coil</source>
+        <translation>单个线圈的最大电流</translation>
+    </message>
+    <message>
+        <source>Vertical force that trips</source>
+        <translation>触发保护的竖直力</translation>
+    </message>
+    <message>
+        <source>Largest excursion from where the mode began</source>
+        <translation>自模式开始起的最大偏移</translation>
+    </message>
+    <message>
+        <source>Largest rotation from where the mode began</source>
+        <translation>自模式开始起的最大转角</translation>
+    </message>
+    <message>
+        <source>Largest speed of rotation while armed</source>
+        <translation>使能时的最大转速</translation>
+    </message>
+    <message>
+        <source>Delay of the currents</source>
+        <translation>电流的延迟</translation>
+    </message>
+    <message>
+        <source>Field amplitude at the chip</source>
+        <translation>霍尔芯片处的磁场幅值</translation>
+    </message>
+    <message>
+        <source>Place of the chip in platen axes</source>
+        <translation>霍尔芯片在动子坐标系中的位置</translation>
+    </message>
+    <message>
+        <source>Error of the sensitivity along x&apos;</source>
+        <translation>沿 x&apos; 的灵敏度误差</translation>
+    </message>
+    <message>
+        <source>Error of the sensitivity along y&apos;</source>
+        <translation>沿 y&apos; 的灵敏度误差</translation>
+    </message>
+    <message>
+        <source>Share of the field along y&apos; in the reading of x&apos;</source>
+        <translation>x&apos; 读数中 y&apos; 磁场的份额</translation>
+    </message>
+    <message>
+        <source>Share of the field along x&apos; in the reading of y&apos;</source>
+        <translation>y&apos; 读数中 x&apos; 磁场的份额</translation>
+    </message>
+    <message>
+        <source>Offset of the reading of x&apos;</source>
+        <translation>x&apos; 读数的零偏</translation>
+    </message>
+    <message>
+        <source>Offset of the reading of y&apos;</source>
+        <translation>y&apos; 读数的零偏</translation>
+    </message>
+    <message>
+        <source>Field of coil 1 ... 6 at chip 1 along x&apos;, along y&apos;, at chip 2, ...</source>
+        <translation>线圈 1 ... 6 在芯片 1 处沿 x&apos;、沿 y&apos;、在芯片 2 处……的磁场</translation>
+    </message>
+    <message>
+        <source>Deviation of a reading: noise and what calibration leaves</source>
+        <translation>读数的偏差：噪声和标定残差</translation>
+    </message>
+    <message>
+        <source>m from where the mode began, or N</source>
+        <translation>自模式开始起的 m，或 N</translation>
+    </message>
+    <message>
+        <source>rad from where the mode began, or N*m</source>
+        <translation>自模式开始起的 rad，或 N*m</translation>
+    </message>
+    <message>
+        <source>Current of one coil in mode coil currents</source>
+        <translation>线圈电流模式下单个线圈的电流</translation>
+    </message>
+    <message>
+        <source>1 counts cells from the present one</source>
+        <translation>1：从当前单元开始计数</translation>
+    </message>
+    <message>
+        <source>m, rad, N or N*m; height of one step of the staircase, end of the ramp</source>
+        <translation>m、rad、N 或 N*m；阶梯的单级高度，斜坡的终点</translation>
+    </message>
+    <message>
+        <source>Slope of the ramp per second</source>
+        <translation>斜坡每秒的变化量</translation>
+    </message>
+    <message>
+        <source>Constant speed added in mode position, else effort</source>
+        <translation>位置模式下叠加的恒定速度，否则为力或力矩</translation>
+    </message>
+    <message>
+        <source>force constant</source>
+        <translation>力常数</translation>
+    </message>
+    <message>
+        <source>Planar six-coil positioner</source>
+        <translation>六线圈平面定位台</translation>
+    </message>
+    <message>
+        <source>True pose along x, known to the simulation only</source>
+        <translation>沿 x 的真实位姿，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>True pose along y, known to the simulation only</source>
+        <translation>沿 y 的真实位姿，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>True rotation, known to the simulation only</source>
+        <translation>真实转角，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>True speed along x, known to the simulation only</source>
+        <translation>沿 x 的真实速度，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>True speed along y, known to the simulation only</source>
+        <translation>沿 y 的真实速度，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>True speed of rotation, known to the simulation only</source>
+        <translation>真实转速，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>True force of the coils along x, known to the simulation only</source>
+        <translation>线圈沿 x 的真实力，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>True force of the coils along y, known to the simulation only</source>
+        <translation>线圈沿 y 的真实力，仅仿真可知</translation>
+    </message>
+    <message>
+        <source>True torque of the coils, known to the simulation only</source>
+        <translation>线圈的真实力矩，仅仿真可知</translation>
+    </message>
+    <message>
         <source>check the link</source>
         <translation>检查链路</translation>
     </message>

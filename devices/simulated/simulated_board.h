@@ -47,7 +47,9 @@ public:
     /// From now on reading `index` of the plant is this, whatever the plant does: a broken sensor, for tests.
     void breakReading(std::size_t index, double value) { m_broken = {index, static_cast<float>(value)}; }
 
+    /// The physics, for tests: to look at it and to break something in it.
     const Plant& plant() const { return *m_actuator.plant; }
+    Plant& plant() { return *m_actuator.plant; }
     /// What the board holds, for tests.
     const hb_board& firmware() const { return std::as_const(*m_actuator.firmware).board(); }
 

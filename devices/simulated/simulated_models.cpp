@@ -1,4 +1,5 @@
 #include "devices/simulated/htm/simulated_htm.h"
+#include "devices/simulated/planar/simulated_planar.h"
 #include "devices/simulated/simulated_model.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace {
 
 // A deque, since devices keep pointers to their row while tests add others.
 std::deque<SimulatedModel>& table() {
-    static std::deque<SimulatedModel> models{htmModel()};
+    static std::deque<SimulatedModel> models{htmModel(), planarModel()};
     return models;
 }
 

@@ -107,6 +107,7 @@ private:
     Result<void> awaitArmed(bool isArmed);
     Result<void> writeLive(const std::string& name, double value);
     Result<void> setWatchdog();
+    Result<void> zeroSetpoints();
     Result<void> restoreWatchdog();
     Result<void> writeFormerWatchdog();
     void onEvent(std::uint8_t code);

@@ -141,6 +141,17 @@ Result<void> XcpDevice::writeFormerWatchdog() {
                                                          : Result<void>();
 }
 
+/// One set-point, or that of each axis: hb.setpoint.x and so on.
+Result<void> XcpDevice::zeroSetpoints() {
+    std::vector<ParameterValue> zero;
+    for (const ParameterSpec& spec : m_board.catalogue().parameters) {
+        if (spec.name == SetpointName || startsWith(spec.name, std::string(SetpointName) + ".")) {
+            zero.push_back({spec.name, 0.0});
+        }
+    }
+    return zero.empty() ? writeLive(SetpointName, 0.0) : writeParameters(zero);
+}
+
 Result<void> XcpDevice::arm() {
     if (Result<void> admitted = checkFirmware(); !admitted) {
         return admitted;
@@ -156,7 +167,7 @@ Result<void> XcpDevice::arm() {
     if (Result<void> set = setWatchdog(); !set) {
         return set;
     }
-    if (Result<void> zero = writeLive(SetpointName, 0.0); !zero) {
+    if (Result<void> zero = zeroSetpoints(); !zero) {
         return zero;
     }
     m_nextStatus_s = now_s() + m_options.watchdog_s / 4.0;

@@ -28,12 +28,11 @@ Result<models::HtmParameters> simulatedMotor(const devices::DeviceInfo& device) 
     if (!uri) {
         return failure(uri.error());
     }
-    Result<devices::SimulatedSetup> setup = devices::parseSimulatedAddress(*uri, std::nullopt);
-    if (!setup) {
+    if (uri->scheme != "sim" || device.model != "htm") {
         return failure(ErrorCode::Usage, "the parts of a motor are known of a simulated one only",
                        "use --device sim:htm");
     }
-    return setup->parameters;
+    return devices::htmParameters(uri->options);
 }
 
 } // namespace halbench::app
