@@ -1,8 +1,7 @@
-#include "control/base/random.h"
-#include "control/base/units.h"
 #include "models/spherical/additive_model.h"
 #include "models/spherical/orientation.h"
 #include "models/spherical/rotor_field.h"
+#include "tests/models/spherical/orientation_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -10,17 +9,6 @@
 
 namespace halbench::models {
 namespace {
-
-constexpr double Q = 0.0991864782;
-
-OrientationAngles angles_deg(double alpha, double beta, double gamma) {
-    return {degreesToRadians(alpha), degreesToRadians(beta), degreesToRadians(gamma)};
-}
-
-OrientationAngles drawn(Random& random) {
-    return angles_deg(90.0 * random.uniform() - 45.0, 90.0 * random.uniform() - 45.0,
-                      180.0 * random.uniform() - 90.0);
-}
 
 TEST(Orientation, shaftAndAnglesFollowTheirDefinitions) {
     Random random(1);
