@@ -20,9 +20,9 @@ constexpr const char* BoardEquation = R"( *   u = KP e + x + KD (ref' - (angle[k
 constexpr const char* ShapedEquation = R"( *   u = F [ KP (WEIGHT_B ref - angle) + x + KD d ]
  *       + INERTIA ref'' + VISCOUS ref' + COULOMB sat(ref'/COULOMB_SPEED)
  *       + (|ref'| < STICTION_SPEED and |e| > STICTION_THRESHOLD) STICTION sgn(e)
- *   d = (TF d + w[k] - w[k-1])/(TS + TF), w = WEIGHT_C ref - angle: the derivative sees of ref what
- *   WEIGHT_C takes of it, ref' and ref'' feed forward only
- *   F: the sections in series, each v[k] = B0 i[k] + B1 i[k-1] + B2 i[k-2] - A1 v[k-1] - A2 v[k-2]
+ *   d = (TF d + TS ((1 - WEIGHT_C) ref' + (w[k] - w[k-1])/TS))/(TF + TS), w = WEIGHT_C ref - angle:
+ *   of a jump of ref the derivative sees the share WEIGHT_C, of a smooth one always the speed
+ *   F: the sections in series, (B0 D^2 + B1 D + B2)/(D^2 + A1 D + A2) in the shift D = z - 1
  *   e = ref - angle, u limited to +-LIMIT; while it is limited x changes only if e u < 0, F goes on:
  *   x += TS KI e
 )";
@@ -42,7 +42,7 @@ static inline void position_law_start(position_law* law) {
 }
 )";
 constexpr const char* SectionMemory = R"(
-/* Transposed direct form: the two numbers of a section stay small where its filter is slow. */
+/* In the shift D = z - 1 slow filters keep their digits. */
 typedef struct {
     double first;
     double second;
@@ -55,8 +55,8 @@ static inline double position_law_filtered(position_law* law, double current) {
         position_law_section* section = &law->sections[i];
         const double* f = FILTERS[i];
         double filtered = f[0] * current + section->first;
-        section->first = f[1] * current - f[3] * filtered + section->second;
-        section->second = f[2] * current - f[4] * filtered;
+        section->first += section->second + (f[1] * current - f[3] * filtered);
+        section->second += f[2] * current - f[4] * filtered;
         current = filtered;
     }
     return current;
@@ -157,7 +157,7 @@ std::string constants(const control::PositionLaw& law, const control::PidGains& 
 
 /// What only a shaped law has, as the program's own filters have it.
 std::string shapedConstants(const control::ShapedLaw& shaped, const control::PidGains& gains,
-                            const std::vector<control::FilterSection>& sections) {
+                            const std::vector<control::LawSection<double>>& sections) {
     std::string text = constant("WEIGHT_B", shaped.proportionalWeight, "set-point weight of KP");
     text += constant("WEIGHT_C", shaped.derivativeWeight, "set-point weight of KD");
     text += constant("TF", gains.filter_s.value_or(0.0), "s, filter on the derivative");
@@ -165,9 +165,9 @@ std::string shapedConstants(const control::ShapedLaw& shaped, const control::Pid
         return text;
     }
     text += fmt::format("enum {{ SECTIONS = {} }};\n", sections.size());
-    text += "static const double FILTERS[SECTIONS][5] = { /* B0, B1, B2, A1, A2 */\n";
+    text += "static const double FILTERS[SECTIONS][5] = { /* B0, B1, B2, A1, A2, in D = z - 1 */\n";
     for (std::size_t i = 0; i < sections.size(); ++i) {
-        const control::FilterSection& f = sections[i];
+        const control::LawSection<double>& f = sections[i];
         text += fmt::format("    {{{}, {}, {}, {}, {}}}, /* {} */\n", number(f.b0), number(f.b1),
                             number(f.b2), number(f.a1), number(f.a2), filterWords(shaped.filters[i]));
     }
@@ -193,7 +193,8 @@ std::string shapedMemory(bool hasFilters) {
 std::string shapedDemand(bool hasFilters) {
     std::string text =
         "    double current;\n    double demand;\n"
-        "    law->rate_rad_s = (TF * law->rate_rad_s + moved) / (TS + TF);\n"
+        "    law->rate_rad_s = (TF * law->rate_rad_s + TS * ((1.0 - WEIGHT_C) * ref_rad_s + moved / TS)) /\n"
+        "                      (TF + TS);\n"
         "    demand = KP * (WEIGHT_B * ref_rad - angle_rad) + law->integral_A + KD * law->rate_rad_s;\n";
     text += hasFilters ? "    demand = position_law_filtered(law, demand);\n" : "";
     return text + "    demand += INERTIA * ref_rad_s2 + VISCOUS * ref_rad_s + COULOMB * friction;\n";

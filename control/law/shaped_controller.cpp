@@ -1,18 +1,29 @@
 #include "control/law/shaped_controller.h"
 
+#include "control/law/shaped_delta.h"
+
 namespace halbench::control {
 
-Result<ShapedEquation> ShapedEquation::make(const ShapedLaw& law, double period_s) {
+Result<LawEquation<double>> lawEquation(const ShapedLaw& law, double period_s) {
     const auto gains = checkedGains(law, period_s);
     auto sections = gains ? filterSections(law.filters, period_s) : failure(gains.error());
-    return sections
-               ? Result<ShapedEquation>(ShapedEquation{*gains, law.proportionalWeight, law.derivativeWeight,
-                                                       period_s, *std::move(sections)})
-               : failure(sections.error());
+    if (!sections) {
+        return failure(sections.error());
+    }
+    LawEquation<double> equation;
+    equation.proportional = gains->proportional;
+    equation.integral = gains->integral;
+    equation.derivative = gains->derivative;
+    equation.proportionalWeight = law.proportionalWeight;
+    equation.derivativeWeight = law.derivativeWeight;
+    equation.derivativeFilter_s = gains->filter_s.value_or(0.0);
+    equation.period_s = period_s;
+    equation.sections = *std::move(sections);
+    return equation;
 }
 
 Result<ShapedController> ShapedController::make(const ShapedLaw& law, double period_s) {
-    auto equation = ShapedEquation::make(law, period_s);
+    auto equation = lawEquation(law, period_s);
     return equation ? Result<ShapedController>(ShapedController(*std::move(equation)))
                     : failure(equation.error());
 }

@@ -1,5 +1,6 @@
 #include "control/law/shaped_delta.h"
 
+#include "control/base/assert.h"
 #include "control/law/held_rotor.h"
 
 #include <cmath>
@@ -7,6 +8,12 @@
 namespace halbench::control {
 
 namespace {
+
+/// Of d^power; zero outside the polynomial.
+double coefficient(const Polynomial& polynomial, int power) {
+    const auto size = static_cast<int>(polynomial.size());
+    return power < 0 || power >= size ? 0.0 : polynomial[static_cast<std::size_t>(size - 1 - power)];
+}
 
 /// sum c_j s^j with s = rate d/(d + 2), times (d + 2)^order: Tustin's rule, put together from its terms.
 Polynomial bilinear(const Polynomial& polynomial, int order, double rate_1_s) {
@@ -62,6 +69,26 @@ Result<DeltaFactor> deltaFilter(const LoopFilter& filter, double period_s) {
     const int order = continuous->order();
     return DeltaFactor{bilinear(continuous->numerator(), order, rate_1_s),
                        bilinear(continuous->denominator(), order, rate_1_s)};
+}
+
+Result<std::vector<LawSection<double>>> filterSections(const std::vector<LoopFilter>& filters,
+                                                       double period_s) {
+    std::vector<LawSection<double>> sections;
+    for (const LoopFilter& filter : filters) {
+        const auto sampled = sampledFilter(filter, period_s); // which knows its range
+        const auto factor = sampled ? deltaFilter(filter, period_s) : failure(sampled.error());
+        if (!factor) {
+            return failure(factor.error());
+        }
+        const int order = degree(factor->denominator);
+        HB_ASSERT(order == 1 || order == 2);
+        const double lead = coefficient(factor->denominator, order);
+        // A filter of the first order is one of the second with a root at d = 0 in both.
+        const auto b = [&](int i) { return coefficient(factor->numerator, order - i) / lead; };
+        const auto a = [&](int i) { return coefficient(factor->denominator, order - i) / lead; };
+        sections.push_back({b(0), b(1), b(2), a(1), a(2)});
+    }
+    return sections;
 }
 
 DeltaFactor deltaRotor(const PositionPlant& plant, double period_s) {

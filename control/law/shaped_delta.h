@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control/law/law_run.h"
 #include "control/law/shaped_law.h"
 #include "control/lti/delta_system.h"
 
@@ -16,6 +17,9 @@ struct DeltaFactor {
 };
 /// By Tustin's rule, pre-warped at the filter's own frequency. Errors: of the filter.
 Result<DeltaFactor> deltaFilter(const LoopFilter& filter, double period_s);
+/// One section for each filter, as the law runs them. Errors: of a filter.
+Result<std::vector<LawSection<double>>> filterSections(const std::vector<LoopFilter>& filters,
+                                                       double period_s);
 /// k T^2 (b1 d + b1 + b2)/(d (d + 1 - E)), the current held.
 DeltaFactor deltaRotor(const PositionPlant& plant, double period_s);
 

@@ -76,12 +76,6 @@ Result<TransferFunction> weighted(const ShapedLaw& law, double period_s, double 
     return law.filters.empty() ? sum : seriesOf(sum, filtersInSeries(law.filters, period_s));
 }
 
-/// Of 1/z^place, in a polynomial of z that begins at z^order.
-double coefficient(const Polynomial& polynomial, std::size_t order, std::size_t place) {
-    const std::size_t lead = order + 1 - polynomial.size();
-    return place < lead || place > order ? 0.0 : polynomial[place - lead];
-}
-
 Result<void> checkLoop(const PositionPlant& plant, const LoopTiming& timing) {
     const auto valid = checkPlant(plant);
     return valid ? checkTiming(timing) : valid;
@@ -155,22 +149,6 @@ Result<TransferFunction> sampledFilter(const LoopFilter& filter, double period_s
     const auto continuous = continuousFilter(filter);
     return continuous ? discretize(*continuous, period_s, Hold::Tustin{frequencyOf_rad_s(filter)})
                       : continuous;
-}
-
-Result<std::vector<FilterSection>> filterSections(const std::vector<LoopFilter>& filters, double period_s) {
-    std::vector<FilterSection> sections;
-    for (const LoopFilter& filter : filters) {
-        const auto sampled = sampledFilter(filter, period_s);
-        if (!sampled) {
-            return failure(sampled.error());
-        }
-        const auto order = static_cast<std::size_t>(sampled->order());
-        const double a0 = sampled->denominator().front();
-        const auto a = [&](std::size_t i) { return coefficient(sampled->denominator(), order, i) / a0; };
-        const auto b = [&](std::size_t i) { return coefficient(sampled->numerator(), order, i) / a0; };
-        sections.push_back({b(0), b(1), b(2), a(1), a(2)});
-    }
-    return sections;
 }
 
 Result<TransferFunction> filtersInSeries(const std::vector<LoopFilter>& filters, double period_s) {

@@ -69,13 +69,6 @@ Result<TransferFunction> continuousFilter(const LoopFilter& filter);
 double frequencyOf_rad_s(const LoopFilter& filter);
 Result<TransferFunction> sampledFilter(const LoopFilter& filter, double period_s);
 
-/// A sampled filter as its difference equation, b0 + b1/z + b2/z^2 over 1 + a1/z + a2/z^2.
-struct FilterSection {
-    double b0 = 1.0, b1 = 0.0, b2 = 0.0, a1 = 0.0, a2 = 0.0;
-};
-/// One for each filter: one polynomial of all of them would lose the slow roots to rounding.
-Result<std::vector<FilterSection>> filterSections(const std::vector<LoopFilter>& filters, double period_s);
-
 /// F alone.
 Result<TransferFunction> filtersInSeries(const std::vector<LoopFilter>& filters, double period_s);
 

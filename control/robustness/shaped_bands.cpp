@@ -16,7 +16,7 @@ namespace {
 using Lanes = LaneState::Lanes;
 
 /// As `runLanes`, with this law.
-void runMotors(const std::vector<PositionPlant>& plants, std::size_t first, ShapedRun<Lanes> controller,
+void runMotors(const std::vector<PositionPlant>& plants, std::size_t first, LawRun<Lanes> controller,
                const LoopTiming& timing, const LaneRun& run, LaneCurves& curves, std::size_t row) {
     const LaneRotors rotors(plants, first, timing.period_s / run.pointsPerSample);
     const auto every = static_cast<std::size_t>(run.pointsPerSample);
@@ -49,9 +49,9 @@ std::vector<PositionPlant> motorsAmong(const std::vector<PositionPlant>& plants)
 }
 
 /// The plants must live as long as what is returned.
-MovedMotors shapedMotors(const std::vector<PositionPlant>& plants, const ShapedEquation& equation,
+MovedMotors shapedMotors(const std::vector<PositionPlant>& plants, const LawEquation<double>& equation,
                          const LoopTiming& timing) {
-    const ShapedRun<Lanes> controller(equation, Lanes::Zero());
+    const LawRun<Lanes> controller(equation, Lanes::Zero());
     MovedMotors motors{plants.size(),
                        timing.period_s,
                        [&plants, controller, timing](std::size_t first, const LaneRun& run,
@@ -63,7 +63,7 @@ MovedMotors shapedMotors(const std::vector<PositionPlant>& plants, const ShapedE
     return motors;
 }
 
-Result<ShapedEquation> checkedEquation(const std::vector<PositionPlant>& motors, const ShapedLaw& law,
+Result<LawEquation<double>> checkedEquation(const std::vector<PositionPlant>& motors, const ShapedLaw& law,
                                        const LoopTiming& timing) {
     if (const auto valid = checkTiming(timing); !valid) {
         return failure(valid.error());
@@ -71,7 +71,7 @@ Result<ShapedEquation> checkedEquation(const std::vector<PositionPlant>& motors,
     if (motors.empty()) {
         return failure(ErrorCode::Refused, "none of the drawn plants is a motor", "identify the motor again");
     }
-    return ShapedEquation::make(law, timing.period_s);
+    return lawEquation(law, timing.period_s);
 }
 
 } // namespace

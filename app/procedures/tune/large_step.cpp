@@ -1,13 +1,12 @@
 #include "app/procedures/tune/large_step.h"
 
 #include "control/law/board_gains.h"
-#include "control/law/shaped_position_law.h"
+#include "control/law/board_law_run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <functional>
 #include <utility>
 
@@ -35,22 +34,17 @@ control::SampledPositionLaw boardLaw(const control::PositionLaw& law, const Loop
 
 using Controller = std::function<double(const control::ReferencePoint&, double)>;
 
-/// What computes a shaped law in the place of the simulated board, with its delay.
+/// What computes a filtered law in the place of the simulated board, with its delay.
 Result<Controller> shapedController(const LoopLaw& law, const LoopConditions& conditions) {
-    const auto made = control::ShapedPositionLaw::make(*law.shaped, law.law, conditions.timing.period_s,
-                                                       conditions.currentLimit_A);
-    if (!made) {
-        return failure(made.error());
+    const auto board = control::boardLaw(*law.shaped, law.law, conditions.timing, conditions.currentLimit_A);
+    if (!board) {
+        return failure(board.error());
     }
-    std::deque<double> pending_A(static_cast<std::size_t>(conditions.timing.delay_samples), 0.0);
-    return Controller(
-        [running = *made, pending_A](const control::ReferencePoint& reference, double angle_rad) mutable {
-            pending_A.push_back(running.step(
-                {reference.value_rad, reference.speed_rad_s, reference.acceleration_rad_s2}, angle_rad));
-            const double current_A = pending_A.front();
-            pending_A.pop_front();
-            return current_A;
-        });
+    return Controller([running = control::BoardLawRun<double>(*board)](
+                          const control::ReferencePoint& reference, double angle_rad) mutable {
+        return running.step({reference.value_rad, reference.speed_rad_s, reference.acceleration_rad_s2},
+                            angle_rad);
+    });
 }
 
 } // namespace

@@ -41,14 +41,53 @@ static float stictionAssist(const hb_law_config* config, const hb_law_input* inp
     return 0.0F;
 }
 
+static float derivative(hb_law* law, const hb_law_config* config, const hb_law_input* input) {
+    float weight = config->derivative_reference_weight;
+    float weighted = weight * input->reference_rad - input->position_rad;
+    float moved = law->started ? weighted - law->previous_weighted_rad : 0.0F;
+    float rate = (1.0F - weight) * input->reference_speed_rad_s + moved / config->period_s;
+    law->previous_weighted_rad = weighted;
+    if (config->derivative_filter_s > 0.0F) {
+        rate = (config->derivative_filter_s * law->rate_rad_s + config->period_s * rate) /
+               (config->derivative_filter_s + config->period_s);
+    }
+    law->rate_rad_s = rate;
+    return config->kd_As_per_rad * rate;
+}
+
+#if HB_LAW_SECTIONS
+static float filtered(hb_law* law, const hb_law_config* config, float value) {
+    uint8_t i;
+    for (i = 0; i < HB_LAW_SECTIONS; ++i) {
+        const hb_law_section* section = &config->sections[i];
+        float* memory = law->filtered[i];
+        float output;
+        if (section->a1 == 0.0F) {
+            memory[0] = 0.0F;
+            memory[1] = 0.0F;
+            value = section->b0 * value;
+            continue;
+        }
+        output = section->b0 * value + memory[0];
+        memory[0] += memory[1] + (section->b1 * value - section->a1 * output);
+        memory[1] += section->b2 * value - section->a2 * output;
+        value = output;
+    }
+    return value;
+}
+#endif
+
 static float positional(hb_law* law, const hb_law_config* config, const hb_law_input* input) {
     float error = input->reference_rad - input->position_rad;
-    float moved = law->started ? input->position_rad - law->previous_position_rad : 0.0F;
-    float demand = config->kp_A_per_rad * error + law->integral_A +
-                   config->kd_As_per_rad * (input->reference_speed_rad_s - moved / config->period_s) +
-                   feedForward(config, input) + stictionAssist(config, input, error);
-    float command = clampTo(demand, config->limit_A);
-    if (command == demand || error * demand < 0.0F) {
+    float weighted = config->reference_weight * input->reference_rad - input->position_rad;
+    float demand = config->kp_A_per_rad * weighted + law->integral_A + derivative(law, config, input);
+    float command;
+#if HB_LAW_SECTIONS
+    demand = filtered(law, config, demand);
+#endif
+    demand = demand + feedForward(config, input) + stictionAssist(config, input, error);
+    command = clampTo(demand, config->limit_A);
+    if ((command == demand && !input->is_saturated) || error * demand < 0.0F) {
         law->integral_A += config->period_s * config->ki_A_per_rad_s * error;
     }
     return command;
@@ -81,7 +120,6 @@ static float delayed(hb_law* law, uint8_t samples, float command) {
 float hb_law_step(hb_law* law, const hb_law_config* config, const hb_law_input* input) {
     float command =
         config->law == HB_LAW_POSITIONAL ? positional(law, config, input) : literal(law, config, input);
-    law->previous_position_rad = input->position_rad;
     law->started = 1;
     return delayed(law, config->delay_samples, command);
 }

@@ -37,6 +37,10 @@ enum hb_htm_mode { HB_MODE_CURRENT = HB_MODE_IDLE + 1, HB_MODE_POSITION, HB_MODE
 typedef struct {
     uint32_t set_first; /* transaction marks: a cycle that sees them differ counts as torn */
     float kp, ki, kd;
+    float reference_weight, derivative_reference_weight, derivative_filter;
+#if HB_LAW_SECTIONS
+    hb_law_section sections[HB_LAW_SECTIONS];
+#endif
     float ff_inertia, ff_viscous, ff_coulomb, ff_coulomb_speed;
     float stiction_current, stiction_threshold, stiction_speed;
     float law;

@@ -4,6 +4,7 @@
 #include "devices/firmware/htm/hb_htm_internal.h"
 
 #include <math.h>
+#include <string.h>
 
 #define POSITION_PERIOD_S 0.01F
 #define COUNTS_PER_RAD ((float)HB_HTM_COUNTS_PER_TURN / HB_TWO_PI)
@@ -114,6 +115,12 @@ static hb_law_config lawOf(const hb_htm_calibration* page) {
     config.kp_A_per_rad = page->kp;
     config.ki_A_per_rad_s = page->ki;
     config.kd_As_per_rad = page->kd;
+    config.reference_weight = page->reference_weight;
+    config.derivative_reference_weight = page->derivative_reference_weight;
+    config.derivative_filter_s = page->derivative_filter;
+#if HB_LAW_SECTIONS
+    memcpy(config.sections, page->sections, sizeof config.sections);
+#endif
     config.inertia_As2_per_rad = page->ff_inertia;
     config.viscous_As_per_rad = page->ff_viscous;
     config.coulomb_A = page->ff_coulomb;
@@ -144,6 +151,7 @@ static void controlPosition(hb_htm* motor, const hb_htm_calibration* page) {
     input.reference_rad = point.value + motor->live.setpoint;
     input.reference_speed_rad_s = point.speed;
     input.reference_acceleration_rad_s2 = point.acceleration;
+    input.is_saturated = 0; /* the current follows its command up to the limit */
     command_A = hb_law_step(&motor->law, &config, &input);
     motor->signals.reference =
         (float)motor->origin_turns * HB_TWO_PI + motor->origin_angle_rad + input.reference_rad;

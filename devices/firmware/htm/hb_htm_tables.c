@@ -54,12 +54,33 @@ static const hb_signal Signals[] HB_ROM = {
           "Angle error map, cosine of order " #order),                                                       \
         PAGED("errormap.sin" #order, "rad", errormap_sine[order - 1], 0.0F, -0.2F, 0.2F, NULL,               \
               "Angle error map, sine of order " #order)
+#define COEFFICIENT(n, member, initial, lower, upper, text)                                                  \
+    PAGED("filter." #n "." #member, "", sections[n - 1].member, initial, lower, upper, NULL, text)
+#define SECTION(n)                                                                                           \
+    COEFFICIENT(n, b0, 1.0F, -1000.0F, 1000.0F,                                                              \
+                "Filter " #n ": (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2), d = z - 1"),                         \
+        COEFFICIENT(n, b1, 0.0F, -1000.0F, 1000.0F, "Filter " #n ", coefficient b1"),                        \
+        COEFFICIENT(n, b2, 0.0F, -1000.0F, 1000.0F, "Filter " #n ", coefficient b2"),                        \
+        COEFFICIENT(n, a1, 0.0F, 0.0F, 4.0F, "Filter " #n ", coefficient a1; 0: the filter is off"),         \
+        COEFFICIENT(n, a2, 0.0F, 0.0F, 4.0F, "Filter " #n ", coefficient a2")
 
 static const hb_parameter Parameters[] HB_ROM = {
     HB_SET_FIRST(hb_htm_calibration, set_first),
     PAGED("gain.kp", "A/rad", kp, 10.0F, 0.0F, 2000.0F, NULL, "Proportional gain"),
     PAGED("gain.ki", "A/(rad*s)", ki, 0.1F, 0.0F, 20000.0F, NULL, "Integral gain"),
     PAGED("gain.kd", "A*s/rad", kd, 0.0F, 0.0F, 100.0F, NULL, "Derivative gain on the measured angle"),
+    PAGED("gain.reference_weight", "", reference_weight, 1.0F, 0.0F, 1.0F, NULL,
+          "Set-point weight b of the proportional part"),
+    PAGED("gain.derivative_reference_weight", "", derivative_reference_weight, 0.0F, 0.0F, 1.0F, NULL,
+          "Set-point weight c of the derivative part"),
+    PAGED("gain.derivative_filter", "s", derivative_filter, 0.0F, 0.0F, 10.0F, NULL,
+          "Time constant of the derivative's filter"),
+#if HB_LAW_SECTIONS
+    SECTION(1),
+    SECTION(2),
+    SECTION(3),
+    SECTION(4),
+#endif
     PAGED("feedforward.inertia", "A*s^2/rad", ff_inertia, 0.0F, 0.0F, 10.0F, NULL, "J/phi"),
     PAGED("feedforward.viscous", "A*s/rad", ff_viscous, 0.0F, 0.0F, 10.0F, NULL, "c/phi"),
     PAGED("feedforward.coulomb", "A", ff_coulomb, 0.0F, 0.0F, 4.0F, NULL,

@@ -62,7 +62,7 @@ TEST(LawCode, ofAShapedLawHasItsWeightsAndTheSectionsOfItsFilters) {
     ASSERT_TRUE(sections);
     const std::string table = "FILTERS[SECTIONS][5] = {";
     const char* at = code.c_str() + code.find(table) + table.size();
-    for (const control::FilterSection& section : *sections) {
+    for (const control::LawSection<double>& section : *sections) {
         at = std::strchr(at, '{') + 1;
         char* end = nullptr;
         for (const double expected : {section.b0, section.b1, section.b2, section.a1, section.a2}) {

@@ -14,8 +14,12 @@ constexpr double Degree = Pi / 180.0;
 
 hb_law_config published() {
     hb_law_config config{};
+    for (hb_law_section& section : config.sections) {
+        section.b0 = 1.0F;
+    }
     config.kp_A_per_rad = 10.0F;
     config.ki_A_per_rad_s = 0.1F;
+    config.reference_weight = 1.0F;
     config.coulomb_speed_rad_s = 0.02F;
     config.limit_A = 4.0F;
     config.period_s = 0.01F;
@@ -24,7 +28,7 @@ hb_law_config published() {
 
 float step(hb_law& law, const hb_law_config& config, float reference, float position, float speed = 0.0F,
            float acceleration = 0.0F) {
-    const hb_law_input input{position, reference, speed, acceleration};
+    const hb_law_input input{position, reference, speed, acceleration, 0};
     return hb_law_step(&law, &config, &input);
 }
 

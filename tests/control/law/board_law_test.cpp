@@ -1,8 +1,9 @@
 #include "control/assess/friction_cycles.h"
 #include "control/base/random.h"
 #include "control/base/units.h"
+#include "control/law/board_law_run.h"
+#include "control/law/shaped_controller.h"
 #include "control/law/shaped_delta.h"
-#include "control/law/shaped_position_law.h"
 #include "tests/control/published_motor.h"
 #include "tests/control/shaped_example.h"
 
@@ -17,42 +18,46 @@ namespace {
 
 constexpr double Period_s = 0.01;
 
+BoardLawRun<double> running(const ShapedLaw& law, const PositionLaw& extras, double limit_A) {
+    const auto board = boardLaw(law, extras, {Period_s, 0}, limit_A);
+    EXPECT_TRUE(board);
+    return BoardLawRun<double>(*board);
+}
+
 // While nothing limits it and nothing is fed forward it is the controller that the loop is judged with.
-TEST(ShapedPositionLaw, withinItsLimitIsTheJudgedController) {
-    auto law = ShapedPositionLaw::make(shaped(), {}, Period_s, 1e6);
+TEST(BoardLaw, withinItsLimitIsTheJudgedController) {
+    auto law = running(shaped(), {}, 1e6);
     auto controller = ShapedController::make(shaped(), Period_s);
-    ASSERT_TRUE(law && controller);
+    ASSERT_TRUE(controller);
     Random random(3);
     for (int i = 0; i < 500; ++i) {
         const double reference_rad = random.gaussian();
         const double angle_rad = random.gaussian();
-        ASSERT_EQ(law->step({reference_rad, 0.0, 0.0}, angle_rad),
-                  controller->step(reference_rad, angle_rad));
+        ASSERT_EQ(law.step({reference_rad, 0.0, 0.0}, angle_rad), controller->step(reference_rad, angle_rad));
     }
 }
 
 // A constant error at the limit: the integral stands still, and the current comes off at once when the error
 // turns, where one that had gone on would hold it for as long again.
-TEST(ShapedPositionLaw, theIntegralWaitsAtTheLimit) {
+TEST(BoardLaw, theIntegralWaitsAtTheLimit) {
     constexpr double Limit_A = 2.0;
     ShapedLaw plain;
     plain.gains.proportional = 1.0;
     plain.gains.integral = 50.0;
     plain.filters = {LowPassFilter{200.0, 1}};
-    auto law = ShapedPositionLaw::make(plain, {}, Period_s, Limit_A);
-    ASSERT_TRUE(law);
+    auto law = running(plain, {}, Limit_A);
     for (int i = 0; i < 1000; ++i) {
-        EXPECT_LE(law->step({1.0, 0.0, 0.0}, 0.0), Limit_A);
+        EXPECT_LE(law.step({1.0, 0.0, 0.0}, 0.0), Limit_A);
     }
     int samples = 0;
-    while (law->step({-1.0, 0.0, 0.0}, 0.0) > -Limit_A && samples < 100) {
+    while (law.step({-1.0, 0.0, 0.0}, 0.0) > -Limit_A && samples < 100) {
         ++samples;
     }
     // From at most 2 A of integral down to -1 A at 0.5 A a sample, and the low-pass's sample or two.
     EXPECT_LT(samples, 10);
 }
 
-TEST(ShapedPositionLaw, addsWhatIsFedForwardAfterTheFilters) {
+TEST(BoardLaw, addsWhatIsFedForwardAfterTheFilters) {
     PositionLaw extras;
     extras.inertia_A_s2_rad = 0.1;
     extras.viscous_A_s_rad = 0.2;
@@ -60,10 +65,9 @@ TEST(ShapedPositionLaw, addsWhatIsFedForwardAfterTheFilters) {
     extras.coulombSpeed_rad_s = 0.5;
     extras.stictionCurrent_A = 0.7;
     extras.stictionThreshold_rad = 0.01;
-    const auto at = [&](const ShapedPositionLaw::Reference& reference, double angle_rad) {
-        auto with = ShapedPositionLaw::make(shaped(), extras, Period_s, 1e6);
-        auto without = ShapedPositionLaw::make(shaped(), {}, Period_s, 1e6);
-        return with->step(reference, angle_rad) - without->step(reference, angle_rad);
+    const auto at = [&](const LawReference<double>& reference, double angle_rad) {
+        return running(shaped(), extras, 1e6).step(reference, angle_rad) -
+               running(shaped(), {}, 1e6).step(reference, angle_rad);
     };
     EXPECT_NEAR(at({0.0, 2.0, 3.0}, 0.0), 0.1 * 3.0 + 0.2 * 2.0 + 0.3, 1e-12);
     EXPECT_NEAR(at({0.0, -0.25, 0.0}, 0.0), -0.2 * 0.25 - 0.3 * 0.5, 1e-12);
@@ -73,7 +77,7 @@ TEST(ShapedPositionLaw, addsWhatIsFedForwardAfterTheFilters) {
 
 // The balance of a shaped loop against the loop itself, sample by sample with friction: a low-pass turns the
 // phase of a loop that came to rest, and it swings.
-TEST(ShapedPositionLaw, swingsAsTheHarmonicBalancePredicts) {
+TEST(BoardLaw, swingsAsTheHarmonicBalancePredicts) {
     constexpr double Limit_A = 4.0;
     const LoopTiming timing{Period_s, 0};
     PositionPlant plant = published();
@@ -86,14 +90,13 @@ TEST(ShapedPositionLaw, swingsAsTheHarmonicBalancePredicts) {
     const auto cycles = frictionCycles(plant, *deltaController(law, timing.period_s), timing, Limit_A);
     ASSERT_TRUE(cycles);
     ASSERT_EQ(cycles->size(), 2u);
-    auto running = ShapedPositionLaw::make(law, {}, Period_s, Limit_A);
-    ASSERT_TRUE(running);
+    auto controller = running(law, {}, Limit_A);
     double angle_rad = -1.7, speed_rad_s = 0.0, current_A = 0.0, most = -1e9, least = 1e9;
     int crossings = 0;
     constexpr int Steps = 200; // of a sample, by Euler's method: 5e-5 s against a swing of some 0.3 s
     constexpr double Step_s = Period_s / Steps;
     for (int sample = 0; sample < 4000; ++sample) {
-        current_A = running->step({0.0, 0.0, 0.0}, angle_rad);
+        current_A = controller.step({0.0, 0.0, 0.0}, angle_rad);
         const double before_rad = angle_rad;
         for (int i = 0; i < Steps; ++i) {
             const double friction_A =
@@ -117,11 +120,11 @@ TEST(ShapedPositionLaw, swingsAsTheHarmonicBalancePredicts) {
     EXPECT_NEAR((*cycles)[1].frequency_rad_s / (2.0 * Pi * crossings / 20.0), 1.0, 0.1);
 }
 
-TEST(ShapedPositionLaw, whatIsNoLawIsRefused) {
+TEST(BoardLaw, whatIsNoLawIsRefused) {
     ShapedLaw law = shaped();
     law.derivativeWeight = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(ShapedPositionLaw::make(law, {}, Period_s, 1.0).error().code, ErrorCode::NotFinite);
-    EXPECT_EQ(ShapedPositionLaw::make(shaped(), {}, Period_s, 0.0).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(boardLaw(law, {}, {Period_s, 0}, 1.0).error().code, ErrorCode::NotFinite);
+    EXPECT_EQ(boardLaw(shaped(), {}, {Period_s, 0}, 0.0).error().code, ErrorCode::OutOfRange);
 }
 
 } // namespace
