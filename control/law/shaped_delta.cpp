@@ -15,6 +15,17 @@ double coefficient(const Polynomial& polynomial, int power) {
     return power < 0 || power >= size ? 0.0 : polynomial[static_cast<std::size_t>(size - 1 - power)];
 }
 
+/// Without roots that numerator and denominator share at d = 0.
+DeltaFactor factorOf(const LawSection<double>& section) {
+    if (section.a1 == 0.0) {
+        return {{section.b0}, {1.0}};
+    }
+    if (section.a2 == 0.0) {
+        return {{section.b0, section.b1}, {1.0, section.a1}};
+    }
+    return {{section.b0, section.b1, section.b2}, {1.0, section.a1, section.a2}};
+}
+
 /// sum c_j s^j with s = rate d/(d + 2), times (d + 2)^order: Tustin's rule, put together from its terms.
 Polynomial bilinear(const Polynomial& polynomial, int order, double rate_1_s) {
     Polynomial sum = {0.0};
@@ -60,6 +71,10 @@ Result<DeltaSystem> systemOf(const DeltaFactor& factor, double period_s) {
 } // namespace
 
 Result<DeltaFactor> deltaFilter(const LoopFilter& filter, double period_s) {
+    if (const auto* given = std::get_if<SectionFilter>(&filter)) {
+        const auto sampled = sampledFilter(filter, period_s); // which knows what is possible
+        return sampled ? Result<DeltaFactor>(factorOf(given->section)) : failure(sampled.error());
+    }
     const auto continuous = continuousFilter(filter);
     if (!continuous) {
         return failure(continuous.error());
@@ -80,8 +95,8 @@ Result<std::vector<LawSection<double>>> filterSections(const std::vector<LoopFil
         if (!factor) {
             return failure(factor.error());
         }
-        const int order = degree(factor->denominator);
-        HB_ASSERT(order == 1 || order == 2);
+        const auto order = static_cast<int>(factor->denominator.size()) - 1;
+        HB_ASSERT(order <= 2);
         const double lead = coefficient(factor->denominator, order);
         // A filter of the first order is one of the second with a root at d = 0 in both.
         const auto b = [&](int i) { return coefficient(factor->numerator, order - i) / lead; };
@@ -127,6 +142,11 @@ Result<DeltaSystem> deltaOpenLoop(const PositionPlant& plant, const ShapedLaw& l
 Result<double> filterGainAtRest(const std::vector<LoopFilter>& filters) {
     double gain = 1.0; // Tustin's rule keeps it
     for (const LoopFilter& filter : filters) {
+        if (const auto* given = std::get_if<SectionFilter>(&filter)) {
+            const DeltaFactor factor = factorOf(given->section);
+            gain *= factor.numerator.back() / factor.denominator.back(); // at d = 0
+            continue;
+        }
         const auto continuous = continuousFilter(filter);
         if (!continuous) {
             return failure(continuous.error());

@@ -76,6 +76,41 @@ Result<TransferFunction> weighted(const ShapedLaw& law, double period_s, double 
     return law.filters.empty() ? sum : seriesOf(sum, filtersInSeries(law.filters, period_s));
 }
 
+/// Both roots of d^2 + a1 d + a2 within the circle of radius 1 around -1 (Jury), or no memory at all.
+bool isStable(const LawSection<double>& section) {
+    const double a1 = section.a1;
+    const double a2 = section.a2;
+    const bool hasOneRoot = a2 == 0.0 && section.b2 == 0.0;
+    return a1 == 0.0 ||
+           (hasOneRoot ? a1 > 0.0 && a1 < 2.0 : a2 > 0.0 && a2 < a1 && 4.0 - 2.0 * a1 + a2 > 0.0);
+}
+
+Result<TransferFunction> sampledSection(const LawSection<double>& section, double period_s) {
+    for (const double number : {section.b0, section.b1, section.b2, section.a1, section.a2}) {
+        if (!std::isfinite(number)) {
+            return failure(ErrorCode::NotFinite, "a coefficient of a filter is not a finite number");
+        }
+    }
+    if (!isStable(section)) {
+        return failure(
+            ErrorCode::OutOfRange,
+            fmt::format("the filter with a1 = {:.6g}, a2 = {:.6g} is not stable", section.a1, section.a2));
+    }
+    const auto base = TimeBase::sampledChecked(period_s);
+    if (!base) {
+        return failure(base.error());
+    }
+    if (section.a1 == 0.0) {
+        return TransferFunction::gain(section.b0, *base);
+    }
+    if (section.a2 == 0.0) {
+        return TransferFunction::make({section.b0, section.b1 - section.b0}, {1.0, section.a1 - 1.0}, *base);
+    }
+    return TransferFunction::make(
+        {section.b0, section.b1 - 2.0 * section.b0, section.b2 - section.b1 + section.b0},
+        {1.0, section.a1 - 2.0, section.a2 - section.a1 + 1.0}, *base);
+}
+
 Result<void> checkLoop(const PositionPlant& plant, const LoopTiming& timing) {
     const auto valid = checkPlant(plant);
     return valid ? checkTiming(timing) : valid;
@@ -125,6 +160,9 @@ Result<TransferFunction> continuousFilter(const LoopFilter& filter) {
         Result<TransferFunction> operator()(const LowPassFilter& f) const {
             return lowPassFilter(f.corner_rad_s, f.order);
         }
+        Result<TransferFunction> operator()(const SectionFilter& /*f*/) const {
+            return failure(ErrorCode::InvalidInput, "a section is given as it is sampled");
+        }
     };
     return std::visit(Kinds{}, filter);
 }
@@ -135,11 +173,15 @@ double frequencyOf_rad_s(const LoopFilter& filter) {
         double operator()(const LagFilter& f) const { return f.frequency_rad_s; }
         double operator()(const NotchFilter& f) const { return f.frequency_rad_s; }
         double operator()(const LowPassFilter& f) const { return f.corner_rad_s; }
+        double operator()(const SectionFilter& /*f*/) const { return 0.0; }
     };
     return std::visit(Kinds{}, filter);
 }
 
 Result<TransferFunction> sampledFilter(const LoopFilter& filter, double period_s) {
+    if (const auto* given = std::get_if<SectionFilter>(&filter)) {
+        return sampledSection(given->section, period_s);
+    }
     const auto* lag = std::get_if<LagFilter>(&filter);
     const double slowest_rad_s = frequencyOf_rad_s(filter) / (lag != nullptr ? lag->ratio : 1.0);
     if (slowest_rad_s * period_s < LeastTurn_rad) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "control/law/law_run.h"
 #include "control/law/pid.h"
 #include "control/law/position_loop.h"
 #include "control/lti/transfer_function.h"
@@ -36,7 +37,13 @@ struct LowPassFilter {
 
     bool operator==(const LowPassFilter&) const = default;
 };
-using LoopFilter = std::variant<LeadFilter, LagFilter, NotchFilter, LowPassFilter>;
+/// One that is given as it runs, at the period of the loop.
+struct SectionFilter {
+    LawSection<double> section;
+
+    bool operator==(const SectionFilter&) const = default;
+};
+using LoopFilter = std::variant<LeadFilter, LagFilter, NotchFilter, LowPassFilter, SectionFilter>;
 
 /// A controller with two inputs: r the reference, y the measured angle, and F the filters in series:
 ///     u = F [ K_P (b r - y) + I (r - y) + D (c r - y) ],   I = T_s K_I/(z - 1)
@@ -64,9 +71,10 @@ bool isBoardLaw(const ShapedLaw& law);
 /// at b times the reference).
 Result<PidGains> checkedGains(const ShapedLaw& law, double period_s);
 
-/// One filter before it is sampled, and the frequency that keeps its place then.
+/// One filter before it is sampled, and the frequency that keeps its place then; a section has neither.
 Result<TransferFunction> continuousFilter(const LoopFilter& filter);
 double frequencyOf_rad_s(const LoopFilter& filter);
+/// Errors: OutOfRange (a figure, a frequency not below Nyquist or too slow, a section that is not stable).
 Result<TransferFunction> sampledFilter(const LoopFilter& filter, double period_s);
 
 /// F alone.
