@@ -51,6 +51,7 @@ constexpr std::array Units = {
     KeyUnit{"gain.kp", "A/rad"},
     KeyUnit{"gain.ki", "A/(rad*s)"},
     KeyUnit{"gain.kd", "A*s/rad"},
+    KeyUnit{"gain.derivative_filter", "s"},
     KeyUnit{"feedforward.inertia", "A*s^2/rad"},
     KeyUnit{"feedforward.viscous", "A*s/rad"},
     KeyUnit{"feedforward.coulomb", "A"},

@@ -71,6 +71,11 @@ const std::vector<FilterKind>& filterKinds() {
              const bool isWhole = f[1] == 1.0 || f[1] == 2.0; // any other order is refused as order 0
              return control::LowPassFilter{f[0], isWhole ? static_cast<int>(f[1]) : 0};
          }},
+        {"section",
+         {"b0", "b1", "b2", "a1", "a2"},
+         [](const Figures& f) -> control::LoopFilter {
+             return control::SectionFilter{{f[0], f[1], f[2], f[3], f[4]}};
+         }},
     };
     return kinds;
 }
@@ -111,7 +116,7 @@ Result<control::LoopFilter> readFilter(const JsonValue& entry, const std::string
         }
         return kind.make(figures);
     }
-    return wrong(origin, key + ".kind", "must be \"lead\", \"lag\", \"notch\" or \"low-pass\"");
+    return wrong(origin, key + ".kind", "must be \"lead\", \"lag\", \"notch\", \"low-pass\" or \"section\"");
 }
 
 Result<void> readFilters(control::ShapedLaw& law, const JsonValue* list, const std::string& origin) {
@@ -257,6 +262,9 @@ std::vector<double> figuresOf(const control::LoopFilter& filter) {
         }
         std::vector<double> operator()(const control::LowPassFilter& f) const {
             return {f.corner_rad_s, static_cast<double>(f.order)};
+        }
+        std::vector<double> operator()(const control::SectionFilter& f) const {
+            return {f.section.b0, f.section.b1, f.section.b2, f.section.a1, f.section.a2};
         }
     };
     return std::visit(Kinds{}, filter);

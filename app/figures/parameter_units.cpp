@@ -7,10 +7,11 @@
 namespace halbench::app {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 17> Units = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> Units = {{
     {"gain.kp", "A/rad"},
     {"gain.ki", "A/(rad*s)"},
     {"gain.kd", "A*s/rad"},
+    {"gain.derivative_filter", "s"},
     {"feedforward.inertia", "A*s^2/rad"},
     {"feedforward.viscous", "A*s/rad"},
     {"feedforward.coulomb", "A"},

@@ -31,17 +31,24 @@ constexpr double LargestFrequency = 1e6;
 /// What a filter is at first: one that a usual loop hardly feels.
 LoopFilter firstOf(int kind) {
     const LoopFilter filters[] = {control::LeadFilter{50.0, 20.0}, control::LagFilter{2.0, 2.0},
-                                  control::NotchFilter{150.0, 0.3, 0.5}, control::LowPassFilter{250.0, 1}};
+                                  control::NotchFilter{150.0, 0.3, 0.5}, control::LowPassFilter{250.0, 1},
+                                  control::SectionFilter{{0.8, 0.8, 0.0, 0.8, 0.0}}};
     return filters[kind];
 }
 
-bool isFrequency(std::size_t figure) {
-    return figure == 0; // of every kind
+bool isFrequency(const LoopFilter& filter, std::size_t figure) {
+    return figure == 0 && !std::holds_alternative<control::SectionFilter>(filter);
 }
 
 widgets::NumberLimits limitsOf(const LoopFilter& filter, std::size_t figure) {
     constexpr double MostPhase_deg = 89.0;
-    if (isFrequency(figure)) {
+    if (std::holds_alternative<control::SectionFilter>(filter)) {
+        constexpr double Most = 1000.0; // of the board's parameters
+        const bool isOfDenominator = figure > 2;
+        return isOfDenominator ? widgets::NumberLimits{0.0, 4.0, true}
+                               : widgets::NumberLimits{-Most, Most, true};
+    }
+    if (isFrequency(filter, figure)) {
         return {0.0, LargestFrequency, false};
     }
     const widgets::NumberLimits limits[] = {
@@ -198,7 +205,7 @@ void FilterEditor::takeFigure(QWidget* box, std::size_t figure) {
     const widgets::OptionalNumberEdit& edit = *row.fields[figure].edit;
     if (const auto value = edit.value()) {
         std::vector<double> figures = figuresOf(row.filter);
-        figures[figure] = *value / factorOf(figure);
+        figures[figure] = *value / factorOf(row.filter, figure);
         row.filter = filterOf(row.filter.index(), figures);
     }
     Q_EMIT edited(tr("Edit %1").arg(edit.accessibleName()), true);
@@ -221,14 +228,14 @@ void FilterEditor::dropFilter(std::size_t at) {
     sayWords(); // the others have other numbers
 }
 
-double FilterEditor::factorOf(std::size_t figure) const {
-    return isFrequency(figure) ? frequencyFactor(m_unit) / (2.0 * Pi) : 1.0;
+double FilterEditor::factorOf(const LoopFilter& filter, std::size_t figure) const {
+    return isFrequency(filter, figure) ? frequencyFactor(m_unit) / (2.0 * Pi) : 1.0;
 }
 
 void FilterEditor::showFigures(Filter& row) {
     const std::vector<double> figures = figuresOf(row.filter);
     for (std::size_t i = 0; i < figures.size(); ++i) {
-        row.fields[i].edit->setValue(figures[i] * factorOf(i));
+        row.fields[i].edit->setValue(figures[i] * factorOf(row.filter, i));
     }
 }
 

@@ -74,7 +74,7 @@ private:
     void sayFilter(std::size_t at);
     void expand(bool isShown);
     void bringIntoSight();
-    double factorOf(std::size_t figure) const;
+    double factorOf(const control::LoopFilter& filter, std::size_t figure) const;
 
     FrequencyUnit m_unit = FrequencyUnit::Hertz;
     control::ShapedLaw m_shaping; ///< its gains but for the filter, and its filters, do not count

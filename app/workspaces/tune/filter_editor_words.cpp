@@ -14,7 +14,7 @@ namespace halbench::app {
 
 void FilterEditor::sayFilter(std::size_t at) {
     const Filter& row = m_rows[at];
-    const QString kinds[] = {tr("Lead"), tr("Lag"), tr("Notch"), tr("Low-pass")};
+    const QString kinds[] = {tr("Lead"), tr("Lag"), tr("Notch"), tr("Low-pass"), tr("Section")};
     for (int i = 0; i < row.kind->count(); ++i) {
         row.kind->setItemText(i, kinds[i]);
     }
@@ -32,12 +32,16 @@ void FilterEditor::sayFilter(std::size_t at) {
         {{tr("Frequency"), frequency, tr("Where the gain is least")},
          {tr("Depth"), QStringLiteral("\u00d7"), tr("Factor on the gain at that frequency, 0 to 1")},
          {tr("Damping"), {}, tr("Of its poles: the more, the wider it is")}},
-        {{tr("Corner"), frequency, tr("There the gain has fallen by 3 dB")},
-         {tr("Order"), {}, tr("1 or 2")}}};
+        {{tr("Corner"), frequency, tr("There the gain has fallen by 3 dB")}, {tr("Order"), {}, tr("1 or 2")}},
+        {{QStringLiteral("b0"), {}, tr("Coefficient of (b0 d² + b1 d + b2)/(d² + a1 d + a2), d = z − 1")},
+         {QStringLiteral("b1"), {}, tr("Coefficient of d in the numerator")},
+         {QStringLiteral("b2"), {}, tr("Coefficient of 1 in the numerator")},
+         {QStringLiteral("a1"), {}, tr("Coefficient of d in the denominator; 0: no memory")},
+         {QStringLiteral("a2"), {}, tr("Coefficient of 1 in the denominator")}}};
     const QString name = tr("Filter %1").arg(at + 1);
     row.kind->setAccessibleName(tr("%1: kind").arg(name));
     row.kind->setToolTip(tr("Lead: phase at a frequency. Lag: more gain at rest. Notch: little gain at a "
-                            "frequency. Low-pass: little gain above a frequency"));
+                            "frequency. Low-pass: little gain above a frequency. Section: by coefficients"));
     row.remove->setAccessibleName(tr("Remove %1").arg(name));
     row.remove->setToolTip(row.remove->accessibleName());
     for (std::size_t i = 0; i < row.fields.size(); ++i) {
@@ -52,16 +56,18 @@ void FilterEditor::sayFilter(std::size_t at) {
 
 void FilterEditor::sayWords() {
     m_toggle->setText(tr("Weights and filters"));
-    m_toggle->setToolTip(tr("Show what other controllers have and the board has not"));
+    m_toggle->setToolTip(tr("Set-point weights, derivative filter and filters in series"));
     m_toggle->setAccessibleName(m_toggle->text());
-    m_note->setText(tr("Judged, compared and written; the board has none of it and cannot run it."));
+    m_note->setText(tr("Applied to boards whose law offers them; else judged, compared and saved."));
     m_add->setText(tr("Add a filter"));
     m_add->setToolTip(tr("In series with the others, four at most; a low-pass at first"));
     m_add->setAccessibleName(m_add->text());
     const std::pair<Field*, std::pair<QString, QString>> fields[] = {
         {&m_b, {tr("Weight b of the set-point"), tr("Of K_P: below 1 a step is answered more gently")}},
-        {&m_c, {tr("Weight c of the set-point"), tr("Of K_D: 0 is what the board does at a step")}},
-        {&m_time, {tr("Filter on the derivative"), tr("Time constant; 0 is the board's difference")}}};
+        {&m_c,
+         {tr("Weight c of the set-point"),
+          tr("Of K_D: 0 ignores a step of the set-point, 1 sees all of it")}},
+        {&m_time, {tr("Filter on the derivative"), tr("Time constant; 0: the difference of two samples")}}};
     for (const auto& [field, words] : fields) {
         field->name->setText(words.first);
         field->edit->setAccessibleName(words.first);
