@@ -161,12 +161,6 @@ Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, cons
     return loops;
 }
 
-/// A record was made by a board: through a law that none has it cannot be replayed.
-Result<void> checkShown(const CommandOptions& options, const std::vector<ComparedLoop>& loops) {
-    const bool isReplayed = !options.whatIfRecording.empty() && loops.front().gains.shaped;
-    return isReplayed ? notOnBoard("--what-if") : Result<void>();
-}
-
 /// The open loop with its bands.
 Result<void> writeBode(const std::string& path, const AnalysisResult::Bode& bode, const ComparedLoop& loop,
                        const std::vector<control::PositionPlant>& motors) {
@@ -314,9 +308,6 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     Result<std::vector<ComparedLoop>> loops = analyseAll(options, *model, *conditions);
     if (!loops) {
         return failure(loops.error());
-    }
-    if (const Result<void> shown = checkShown(options, *loops); !shown) {
-        return failure(shown.error());
     }
     const ComparedLoop& own = loops->front();
     ResultHeader header = headerFor(context, "halbench.analysis/1");

@@ -71,12 +71,6 @@ Result<std::optional<GainsFile>> gainsOf(const CommandOptions& options) {
     return gains ? Result<std::optional<GainsFile>>(*std::move(gains)) : failure(gains.error());
 }
 
-/// What the board cannot run is told before anything moves.
-Result<void> checkRunnable(const CommandOptions& options, const std::optional<GainsFile>& gains) {
-    const bool isApplied = gains && gains->shaped && !options.applyDevice.empty();
-    return isApplied ? notOnBoard("--apply") : Result<void>();
-}
-
 /// Designed, or as the file has them; those are judged in the loop that they were found for.
 Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& source,
                              const TuneConfig& config) {
@@ -165,9 +159,8 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
         return failure(config.error());
     }
     Result<std::optional<GainsFile>> gains = gainsOf(options);
-    const Result<void> runnable = gains ? checkRunnable(options, *gains) : failure(gains.error());
-    if (!runnable) {
-        return failure(runnable.error());
+    if (!gains) {
+        return failure(gains.error());
     }
     const bool isDevice = devices::parseDeviceUri(options.device).has_value();
     Result<TuningSource> source =

@@ -3,6 +3,7 @@
 #include "app/cli/command_support.h"
 #include "app/documents/result_documents.h"
 #include "app/procedures/apply/live_apply_procedure.h"
+#include "app/procedures/tune/position_law_parameters.h"
 #include "app/tuning/gains_judgement.h"
 #include "app/tuning/loop_conditions.h"
 
@@ -47,6 +48,27 @@ Result<void> admitTiming(const CommandOptions& options, const MotorEstimate& mot
     }
     return failure(ErrorCode::Refused, "--apply: " + same.error().message,
                    same.error().hint + ", or repeat the command with --foreign-model");
+}
+
+/// The device's law has what these gains need; then nothing has to be said of that any more.
+Result<void> admitLaw(const CommandOptions& options, TuneResult& result,
+                      const devices::Catalogue& catalogue) {
+    if (!result.shaped) {
+        return {};
+    }
+    if (options.isLive) {
+        return failure(
+            ErrorCode::Refused,
+            "--live: gains with set-point weights or filters are applied at once, not in small steps",
+            "leave --live out");
+    }
+    if (const auto offered = checkOffered(*result.shaped, boardLawSpec(catalogue)); !offered) {
+        return failure(offered.error().code, "--apply: " + offered.error().message, offered.error().hint);
+    }
+    const auto isAnswered = [](const Finding& finding) { return finding.code == "needs_filtered_law"; };
+    std::erase_if(result.warnings, isAnswered);
+    std::erase_if(result.quality.findings, isAnswered);
+    return {};
 }
 
 /// Opened, once it is this motor, or another one with a word of the user.
@@ -118,6 +140,9 @@ Result<void> openToApply(CommandContext& context, const CommandOptions& options,
         result = *std::move(judged);
         found.push_back(*timing);
     }
+    if (const Result<void> runs = admitLaw(options, result, source.device->catalogue()); !runs) {
+        return runs;
+    }
     for (const Finding& finding : found) {
         if (!options.out.empty()) { // else it stands among what is printed
             context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
@@ -153,7 +178,8 @@ Result<AppliedGains> applyInSteps(CommandContext& context, TuningSource& source,
 }
 
 Result<AppliedGains> applyGains(CommandContext& context, TuningSource& source, const TuneResult& result) {
-    Result<std::vector<ParameterValue>> values = lawForDevice(result.law, source.device->catalogue());
+    Result<std::vector<ParameterValue>> values =
+        lawForDevice(LoopLaw(result.law, result.shaped), source.device->catalogue());
     if (!values) {
         return failure(values.error());
     }

@@ -2,6 +2,7 @@
 
 #include "app/documents/shaped_gains.h"
 #include "app/documents/text/output_file.h"
+#include "control/law/shaped_delta.h"
 
 #include <fmt/format.h>
 

@@ -292,13 +292,4 @@ std::string shapingLines(const control::ShapedLaw& shaped) {
     return text;
 }
 
-tl::unexpected<Error> notOnBoard(const std::string& option) {
-    return failure(
-        ErrorCode::InvalidInput,
-        fmt::format("{}: the board's law has no set-point weights and no filters, these gains ask "
-                    "for some",
-                    option),
-        "leave setpoint_weights, filters and filter_s out of the gains for what the board can run");
-}
-
 } // namespace halbench::app

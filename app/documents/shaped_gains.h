@@ -27,7 +27,4 @@ std::string filterWords(const control::LoopFilter& filter);
 /// For reading: a line each.
 std::string shapingLines(const control::ShapedLaw& shaped);
 
-/// Refused: what is asked of the board, or of what shows the board's law only. `option` names it.
-tl::unexpected<Error> notOnBoard(const std::string& option);
-
 } // namespace halbench::app

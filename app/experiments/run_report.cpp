@@ -5,6 +5,7 @@
 #include "app/figures/disturbance_figure.h"
 #include "app/headless/exit_code.h"
 #include "app/procedures/tune/disturbance.h"
+#include "app/procedures/tune/position_law_parameters.h"
 #include "app/report/report_blocks.h"
 #include "app/report/step_sections.h"
 #include "control/base/unit_text.h"
@@ -97,7 +98,7 @@ LoopAtStart loopAtStart(const TuneOutcome& tuned, const std::vector<ParameterVal
     for (const ParameterValue& value : parametersAtStart) {
         values.emplace(value.name, value.value);
     }
-    const Result<control::PositionLaw> law = lawFromParameters(values);
+    const Result<LoopLaw> law = loopLawFromParameters(values, tuned.result.conditions.timing.period_s);
     if (!law) {
         return {};
     }

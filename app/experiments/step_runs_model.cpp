@@ -3,6 +3,7 @@
 #include "app/documents/result_documents.h"
 #include "app/experiments/step_configs.h"
 #include "app/experiments/step_runs.h"
+#include "app/procedures/tune/position_law_parameters.h"
 #include "control/base/units.h"
 
 namespace halbench::app {
@@ -22,7 +23,8 @@ Result<Proposal> proposalOf(StepRun& run, const ExperimentStep& step) {
         if (tuned == nullptr) {
             return failure(missingResult(*name));
         }
-        Result<std::vector<ParameterValue>> values = lawForDevice(tuned->result.law, run.device.catalogue());
+        Result<std::vector<ParameterValue>> values =
+            lawForDevice(LoopLaw(tuned->result.law, tuned->result.shaped), run.device.catalogue());
         if (!values) {
             return failure(values.error());
         }
@@ -33,6 +35,7 @@ Result<Proposal> proposalOf(StepRun& run, const ExperimentStep& step) {
             return failure(preset.error());
         }
         proposal.values = std::move(preset->values);
+        addPlainShaping(proposal.values, run.device.catalogue());
     }
     if (const std::optional<std::string> name = step.text("model")) {
         const IdentifyResult* model = run.find<IdentifyResult>(*name);

@@ -59,7 +59,7 @@ Complex rotorValue(const FrequencyResult& result, FrequencyView view, double fre
     }
     const Complex late =
         std::polar(1.0, -frequency_rad_s * result.period_s * static_cast<double>(result.law.delaySamples));
-    const Complex L = late * lawResponse(result.law, result.period_s, frequency_rad_s) * G;
+    const Complex L = late * control::feedbackResponse(result.law, frequency_rad_s) * G;
     return view == FrequencyView::ClosedLoop ? L / (1.0 + L) : L;
 }
 

@@ -2,8 +2,10 @@
 
 #include "app/documents/document_units.h"
 #include "app/documents/result_header.h"
+#include "app/documents/shaped_gains.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/result_text.h"
+#include "app/procedures/tune/position_law_parameters.h"
 #include "app/procedures/tune/tune.h"
 #include "app/tuning/loop_conditions.h"
 #include "control/base/units.h"
@@ -37,14 +39,15 @@ Result<Values> valuesOf(const devices::RecordingMeta& meta, const std::string& p
 }
 
 bool isOfLaw(const std::string& name) {
-    return name.starts_with("gain.") || name.starts_with("feedforward.") || name.starts_with("stiction.");
+    return name.starts_with("gain.") || name.starts_with("filter.") || name.starts_with("feedforward.") ||
+           name.starts_with("stiction.");
 }
 
 constexpr const char* GiveRanFile = "give them: --ran GAINS.json";
 
-Result<control::PositionLaw> recordedLaw(const devices::RecordedFile& file, const Values& values,
-                                         const std::string& path) {
-    const auto law = lawFromParameters(values);
+Result<LoopLaw> recordedLaw(const devices::RecordedFile& file, const Values& values, const std::string& path,
+                            double period_s) {
+    const auto law = loopLawFromParameters(values, period_s);
     if (!law) {
         return failure(ErrorCode::InvalidInput,
                        fmt::format("{}: which gains ran is not recorded beside it", path), GiveRanFile);
@@ -120,13 +123,13 @@ Result<RanMove> readRanMove(const std::string& recordingPath, const std::string&
     }
     RanMove ran{*std::move(move), {}, conditions};
     if (ranFile.empty()) {
-        const auto law = recordedLaw(*file, *values, recordingPath);
+        const auto law = recordedLaw(*file, *values, recordingPath, conditions.timing.period_s);
         if (!law) {
             return failure(law.error());
         }
         ran.law = *law;
     } else {
-        const Result<GainsFile> gains = readGainsFile(ranFile);
+        const Result<GainsFile> gains = readShapedGains(ranFile);
         if (!gains) {
             return failure(gains.error());
         }
@@ -135,7 +138,7 @@ Result<RanMove> readRanMove(const std::string& recordingPath, const std::string&
                            ranFile + ": the gains that ran are of another sample period",
                            "compare gains of one board");
         }
-        ran.law = gains->law;
+        ran.law = gains->loopLaw();
         ran.conditions.timing = gains->timing;
     }
     takeConditions(ran.conditions, *values);
@@ -146,8 +149,8 @@ bool needsRanFile(const Error& error) {
     return error.hint == GiveRanFile;
 }
 
-Result<WhatIfReport> reportWhatIf(const RanMove& ran, const MotorEstimate& motor,
-                                  const control::PositionLaw& law, const UncertaintyDraws& draws) {
+Result<WhatIfReport> reportWhatIf(const RanMove& ran, const MotorEstimate& motor, const LoopLaw& law,
+                                  const UncertaintyDraws& draws) {
     auto basis = prepareWhatIf({ran.move, ran.law, ran.conditions, motor, draws});
     if (!basis) {
         return failure(basis.error());

@@ -12,7 +12,7 @@ namespace halbench::app {
 /// A recorded move and the loop that ran then.
 struct RanMove {
     RecordedMove move;
-    control::PositionLaw law;
+    LoopLaw law;
     LoopConditions conditions; ///< of the board then, as far as they were recorded
 };
 
@@ -32,8 +32,8 @@ struct WhatIfReport {
     DataQuality quality;
 };
 /// Errors: of prepareWhatIf(). A prediction that is withheld is an answer.
-Result<WhatIfReport> reportWhatIf(const RanMove& ran, const MotorEstimate& motor,
-                                  const control::PositionLaw& law, const UncertaintyDraws& draws);
+Result<WhatIfReport> reportWhatIf(const RanMove& ran, const MotorEstimate& motor, const LoopLaw& law,
+                                  const UncertaintyDraws& draws);
 
 /// `what_if` of halbench.analysis/1.
 JsonValue whatIfBody(const WhatIfReport& report);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "control/law/board_law.h"
+
 namespace halbench::control {
 
 /// A position reference that starts at t = 0: the shapes of the board's generator that have an ideal
@@ -12,12 +14,6 @@ struct LoopReference {
     double frequency_Hz = 0.0;
     double period_s = 1.0;
     int count = 1;
-};
-
-struct ReferencePoint {
-    double value_rad = 0.0;
-    double speed_rad_s = 0.0;
-    double acceleration_rad_s2 = 0.0;
 };
 
 ReferencePoint evaluateReference(const LoopReference& reference, double time_s);

@@ -1,6 +1,7 @@
 #include "control/assess/loop_replay.h"
 
 #include "control/base/assert.h"
+#include "control/law/board_law_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ LoopReplay replayLoop(const LoopReplayConfig& config, const HeldCurrentPlant& pl
     const double period_s = config.law.period_s;
     HB_ASSERT(period_s > 0.0 && !config.reference.empty());
     HB_ASSERT(config.disturbance_A.empty() || config.disturbance_A.size() >= config.rows);
-    PositionLawState law(config.law);
+    BoardLawRun<double> law(config.law);
     double angle_rad = 0.0;
     double current_A = 0.0;
     std::size_t sample = 0;

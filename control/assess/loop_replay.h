@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control/assess/position_law_state.h"
+#include "control/law/board_law.h"
 
 #include <cstddef>
 #include <functional>

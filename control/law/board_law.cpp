@@ -1,10 +1,38 @@
 #include "control/law/board_law.h"
 
+#include "control/law/named_filter.h"
 #include "control/law/shaped_controller.h"
 
 #include <cmath>
+#include <complex>
 
 namespace halbench::control {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+Complex shiftAt(double frequency_rad_s, double period_s) {
+    const double angle = frequency_rad_s * period_s;
+    const double half = std::sin(0.5 * angle);
+    return {-2.0 * half * half, std::sin(angle)}; // z - 1 keeps its digits where z is near 1
+}
+
+Complex filtersAt(const BoardLaw<double>& law, Complex d) {
+    Complex product = 1.0;
+    for (const LawSection<double>& f : law.sections) {
+        product *= f.a1 == 0.0 ? Complex(f.b0) : (f.b0 * d * d + f.b1 * d + f.b2) / (d * d + f.a1 * d + f.a2);
+    }
+    return product;
+}
+
+/// From the rate that the derivative is given to that which it has: T_s z/((T_s + T_f) z - T_f).
+Complex derivativeFilterAt(const BoardLaw<double>& law, Complex d) {
+    const double filter_s = law.derivativeFilter_s;
+    return law.period_s * (d + 1.0) / ((law.period_s + filter_s) * (d + 1.0) - filter_s);
+}
+
+} // namespace
 
 Result<BoardLaw<double>> boardLaw(const ShapedLaw& law, const PositionLaw& extras, const LoopTiming& timing,
                                   double currentLimit_A) {
@@ -37,6 +65,51 @@ Result<BoardLaw<double>> boardLaw(const ShapedLaw& law, const PositionLaw& extra
     board.period_s = timing.period_s;
     board.delaySamples = timing.delay_samples;
     return board;
+}
+
+ShapedLaw shapedLaw(const BoardLaw<double>& law) {
+    ShapedLaw shaped;
+    shaped.gains.proportional = law.kp_A_per_rad;
+    shaped.gains.integral = law.ki_A_per_rad_s;
+    shaped.gains.derivative = law.kd_As_per_rad;
+    if (law.derivativeFilter_s > 0.0) {
+        shaped.gains.filter_s = law.derivativeFilter_s;
+    }
+    shaped.proportionalWeight = law.referenceWeight;
+    shaped.derivativeWeight = law.derivativeReferenceWeight;
+    for (const LawSection<double>& section : law.sections) {
+        if (!(section == LawSection<double>())) {
+            shaped.filters.push_back(namedFilter(section, law.period_s));
+        }
+    }
+    return shaped;
+}
+
+std::complex<double> feedbackResponse(const BoardLaw<double>& law, double frequency_rad_s) {
+    const Complex d = shiftAt(frequency_rad_s, law.period_s);
+    const Complex rate = d / (law.period_s * (d + 1.0)) * derivativeFilterAt(law, d);
+    return filtersAt(law, d) *
+           (law.kp_A_per_rad + law.period_s * law.ki_A_per_rad_s / d + law.kd_As_per_rad * rate);
+}
+
+std::complex<double> referenceResponse(const BoardLaw<double>& law, double frequency_rad_s) {
+    const Complex d = shiftAt(frequency_rad_s, law.period_s);
+    const Complex speed(0.0, frequency_rad_s);
+    const double c = law.derivativeReferenceWeight;
+    const Complex rate =
+        ((1.0 - c) * speed + c * d / (law.period_s * (d + 1.0))) * derivativeFilterAt(law, d);
+    const Complex linear = law.referenceWeight * law.kp_A_per_rad + law.period_s * law.ki_A_per_rad_s / d +
+                           law.kd_As_per_rad * rate;
+    return filtersAt(law, d) * linear + law.inertia_As2_per_rad * speed * speed +
+           law.viscous_As_per_rad * speed;
+}
+
+double proportionalAtRest_A_per_rad(const BoardLaw<double>& law) {
+    double gain = law.kp_A_per_rad;
+    for (const LawSection<double>& f : law.sections) {
+        gain *= f.a1 == 0.0 ? f.b0 : f.a2 == 0.0 ? f.b1 / f.a1 : f.b2 / f.a2;
+    }
+    return gain;
 }
 
 } // namespace halbench::control

@@ -4,9 +4,19 @@
 #include "control/law/position_loop.h"
 #include "control/law/shaped_law.h"
 
+#include <complex>
 #include <vector>
 
 namespace halbench::control {
+
+/// A reference that the position law follows, with its speed and acceleration.
+template <typename Number>
+struct LawReference {
+    Number value_rad = Number(0);
+    Number speed_rad_s = Number(0);
+    Number acceleration_rad_s2 = Number(0);
+};
+using ReferencePoint = LawReference<double>;
 
 /// The position law of a board as its parameters state it. The two literal forms are demonstrations
 /// (resources/help/htm-theory.md 6.6); they know K_P and the limit alone.
@@ -40,9 +50,23 @@ struct BoardLaw {
     bool operator==(const BoardLaw&) const = default;
 };
 
+using SampledPositionLaw = BoardLaw<double>;
+
 /// The law that a board runs for these gains, weights and filters; `extras` are the parts of the law beside
 /// its gains. Errors: of `checkedGains` and `checkTiming`; OutOfRange (the limit).
 Result<BoardLaw<double>> boardLaw(const ShapedLaw& law, const PositionLaw& extras, const LoopTiming& timing,
                                   double currentLimit_A);
+
+/// The gains, weights and filters of a board's law: the inverse. Filters have their names where they have one
+/// (`namedFilter`).
+ShapedLaw shapedLaw(const BoardLaw<double>& law);
+
+/// From the error of the angle to the current, F (K_P + I + D), without the delay.
+std::complex<double> feedbackResponse(const BoardLaw<double>& law, double frequency_rad_s);
+/// From a smooth reference to the current: F (b K_P + I + c D + (1 - c) K_D j w/(filter)) and what is fed
+/// forward of its speed and acceleration.
+std::complex<double> referenceResponse(const BoardLaw<double>& law, double frequency_rad_s);
+/// What friction and integral see at rest: K_P times the gain of the filters for a constant.
+double proportionalAtRest_A_per_rad(const BoardLaw<double>& law);
 
 } // namespace halbench::control

@@ -11,14 +11,6 @@
 
 namespace halbench::control {
 
-/// What the position law follows: a reference in rad with its speed and acceleration.
-template <typename Number>
-struct LawReference {
-    Number angle_rad = Number(0);
-    Number speed_rad_s = Number(0);
-    Number acceleration_rad_s2 = Number(0);
-};
-
 /// The law of a board as it runs, one call a sample, from rest at zero:
 ///     u = v + inertia r'' + viscous r' + coulomb sat(r'/coulombSpeed)
 ///           + (|r'| < stictionSpeed and |e| > stictionThreshold) stiction sgn(e),   e = r - y
@@ -38,7 +30,7 @@ public:
 
     /// The current in A that flows from this sample on, delayed as the law says.
     Number step(const LawReference<Number>& reference, Number angle_rad, bool isSaturated = false) {
-        const Number error_rad = reference.angle_rad - angle_rad;
+        const Number error_rad = reference.value_rad - angle_rad;
         const Number now_A = m_law.form == Form::Positional ? positional_A(reference, angle_rad, isSaturated)
                                                             : literal_A(error_rad);
         if (m_delayed_A.empty()) {
@@ -74,8 +66,8 @@ private:
     }
 
     Number positional_A(const LawReference<Number>& reference, Number angle_rad, bool isSaturated) {
-        const Number error_rad = reference.angle_rad - angle_rad;
-        const Number linear_A = m_linear.demand(reference.angle_rad, reference.speed_rad_s, angle_rad);
+        const Number error_rad = reference.value_rad - angle_rad;
+        const Number linear_A = m_linear.demand(reference.value_rad, reference.speed_rad_s, angle_rad);
         const Number demand_A = linear_A + feedForward_A(reference) + stiction_A(reference, error_rad);
         const Number command_A = limited_A(demand_A);
         if ((command_A == demand_A && !isSaturated) || error_rad * demand_A < Number(0)) {

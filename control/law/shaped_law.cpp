@@ -11,10 +11,6 @@ namespace halbench::control {
 
 namespace {
 
-/// Margins and curves come from one polynomial of the loop (its poles do not: shaped_poles.cpp). Of four
-/// equal filters its roots keep 1e-4 of their place, of six narrow notches near Nyquist some left the unit
-/// circle by rounding alone.
-constexpr std::size_t MostFilters = 4;
 /// Turn of the slowest root over one sample: nearer to z = 1 it cannot be told from an integrator.
 constexpr double LeastTurn_rad = 1e-6;
 

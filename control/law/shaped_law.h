@@ -6,6 +6,7 @@
 #include "control/law/position_loop.h"
 #include "control/lti/transfer_function.h"
 
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -62,7 +63,12 @@ struct ShapedLaw {
     bool operator==(const ShapedLaw&) const = default;
 };
 
-/// Whether the board's law is all of it.
+/// In series: margins are computed of so many and no more, and boards have as many sections at most. Of four
+/// equal filters roots keep 1e-4 of their place, of six narrow notches near Nyquist some left the unit circle
+/// by rounding alone.
+constexpr std::size_t MostFilters = 4;
+
+/// Whether the plain law is all of it.
 bool isBoardLaw(const ShapedLaw& law);
 
 /// The gains of a checked law: parallel form, per radian, with their filter. Errors: NotFinite; OutOfRange (a

@@ -3,6 +3,7 @@
 #include "control/assess/loop_rows.h"
 #include "control/base/assert.h"
 #include "control/base/units.h"
+#include "control/law/board_law_run.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +68,7 @@ IdealTrace runIdealLoop(const IdealLoopConfig& config) {
     HB_ASSERT(config.subStepsPerMillisecond > 0);
     const control::LoopRows rows(config.law.period_s);
     const long last = std::lround(config.duration_s / rows.interval_s());
-    control::PositionLawState law(config.law);
+    control::BoardLawRun<double> law(config.law);
     RotorState rotor;
     rotor.angle_rad = config.initialAngle_rad;
     double current_A = 0.0;

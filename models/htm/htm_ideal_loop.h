@@ -1,7 +1,7 @@
 #pragma once
 
 #include "control/assess/loop_reference.h"
-#include "control/assess/position_law_state.h"
+#include "control/law/board_law.h"
 #include "models/htm/htm_rotor.h"
 
 #include <functional>

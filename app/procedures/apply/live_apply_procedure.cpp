@@ -6,6 +6,8 @@
 #include "app/procedures/apply/verify_move.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
+#include "app/procedures/tune/position_law_parameters.h"
+#include "control/law/board_law.h"
 
 #include <fmt/format.h>
 
@@ -203,9 +205,24 @@ Result<void> Walk::confirmRestored() {
     return compareValues(m_result.apply.before, *found);
 }
 
+/// Steps lead from plain gains to plain gains: what a filter makes of the way between is not judged.
+Result<void> checkPlainLaw(devices::Device& device) {
+    const auto law = readPositionLaw(device);
+    if (!law) {
+        return failure(law.error());
+    }
+    return control::isBoardLaw(control::shapedLaw(*law))
+               ? Result<void>()
+               : failure(ErrorCode::Refused, "the law on the device has set-point weights or filters",
+                         "apply the gains at once: that takes them out");
+}
+
 Result<LiveApplyResult> Walk::run() {
     if (auto entered = enterState(m_observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
+    }
+    if (auto plain = checkPlainLaw(m_device); !plain) {
+        return failure(plain.error());
     }
     const auto target = lawForDevice(m_config.target, m_device.catalogue());
     if (!target) {

@@ -28,6 +28,7 @@ FrequencyMargins frequencyMargins(const devices::Catalogue& catalogue,
     margins.law = law;
     const auto period = catalogue.knownConstants.find("T_s");
     margins.period_s = period == catalogue.knownConstants.end() ? margins.period_s : period->second;
+    margins.law.period_s = margins.period_s;
     const PilotEstimate nominal = nominalMotor();
     margins.plant = {nominal.damping_per_s, nominal.torque_rad_s2_A,
                      nominal.friction_rad_s2 / nominal.torque_rad_s2_A};

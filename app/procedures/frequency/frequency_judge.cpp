@@ -111,7 +111,7 @@ FrequencyResultPoint judged(const control::PlantPoint& measured, const Frequency
     point.radius = measured.radius + run.config.gainError_ratio * std::abs(measured.value) + stray_rad_per_A;
     const double w = measured.frequency_rad_s;
     const Complex late = std::polar(1.0, -w * run.margins.period_s * run.margins.law.delaySamples);
-    const Complex controller = late * lawResponse(run.margins.law, run.margins.period_s, w);
+    const Complex controller = late * control::feedbackResponse(run.margins.law, w);
     point.openLoop = controller * measured.value;
     point.openLoopRadius = std::abs(controller) * point.radius;
     point.closedLoop = point.openLoop / (1.0 + point.openLoop);

@@ -1,6 +1,7 @@
 #include "app/procedures/frequency/frequency_plan.h"
 
 #include "app/procedures/base/checked_range.h"
+#include "control/assess/shaped_loop.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -157,15 +158,14 @@ Reach reachOf(const std::vector<int>& lines, double period_s, const FrequencyMar
     const auto plant = control::sampledPlant(margins.plant, margins.period_s);
     for (const int line : lines) {
         const double w = 2.0 * Pi * line / period_s;
-        const Complex C = lawResponse(margins.law, margins.period_s, w);
-        const Complex forward = Complex(-w * w * margins.law.inertia_As2_per_rad,
-                                        w * margins.law.viscous_As_per_rad); // feed-forward
+        const Complex C = control::feedbackResponse(margins.law, w);
+        const Complex drive = control::referenceResponse(margins.law, w);
         const Complex late = std::polar(1.0, -w * margins.period_s * margins.law.delaySamples);
         const Complex L = C * late * plant.atFrequency(w);
         frequency_rad_s.push_back(w);
         speed.push_back(share * w);
-        current.push_back(share * std::abs((C + forward) / (1.0 + L)));
-        rotor.push_back(share * w * std::abs((C + forward) * late * plant.atFrequency(w) / (1.0 + L)));
+        current.push_back(share * std::abs(drive / (1.0 + L)));
+        rotor.push_back(share * w * std::abs(drive * late * plant.atFrequency(w) / (1.0 + L)));
     }
     return {peakOf(frequency_rad_s, speed, period_s), peakOf(frequency_rad_s, rotor, period_s),
             peakOf(frequency_rad_s, current, period_s)};
@@ -196,12 +196,11 @@ double restOf_s(const FrequencyMargins& margins) {
     constexpr double Shortest_s = 2.0;
     constexpr double Longest_s = 15.0;
     constexpr double Left_ratio = 0.002;
-    control::PidGains gains;
-    gains.proportional = margins.law.kp_A_per_rad;
-    gains.derivative = margins.law.kd_As_per_rad;
-    const auto loop =
-        control::sampledOpenLoop(margins.plant, gains, {margins.period_s, margins.law.delaySamples});
-    const double radius = loop ? control::poleRadius(*loop) : 1.0;
+    control::ShapedLaw law = control::shapedLaw(margins.law);
+    law.gains.integral = 0.0;
+    law.proportionalWeight = 1.0; // of the reference, not of the loop
+    const control::LoopTiming timing{margins.period_s, margins.law.delaySamples};
+    const double radius = control::shapedPoleRadius(margins.plant, law, timing).value_or(1.0);
     if (!(radius < 1.0)) {
         return Longest_s; // the run ends where the rotor comes near standstill
     }
@@ -326,13 +325,6 @@ void schedule(FrequencyStage& stage, const FrequencyConfig& config, const Rows& 
 }
 
 } // namespace
-
-std::complex<double> lawResponse(const control::SampledPositionLaw& law, double period_s,
-                                 double frequency_rad_s) {
-    const Complex z = std::polar(1.0, frequency_rad_s * period_s);
-    return law.kp_A_per_rad + period_s * law.ki_A_per_rad_s / (z - 1.0) +
-           law.kd_As_per_rad * (z - 1.0) / (period_s * z);
-}
 
 double FrequencyPlan::duration_s() const {
     return std::accumulate(

@@ -42,11 +42,6 @@ struct FrequencyMargins {
     control::PositionPlant plant = {}; ///< roughly; the board's own speed is watched all the same
 };
 
-/// K_P + T K_I/(z - 1) + K_D (z - 1)/(T z) of the law: from the measured angle to the current, without the
-/// delay.
-std::complex<double> lawResponse(const control::SampledPositionLaw& law, double period_s,
-                                 double frequency_rad_s);
-
 /// Lines in bands of less than a factor five, evenly spread in each, or single ones half an octave apart; of
 /// a chirp the bands are swept one after the other, with rests in which the loop comes to 0.2 % of its swing.
 /// The amplitude of a band is the largest that does not let the reference's speed swing by more than 80 % of

@@ -2,6 +2,8 @@
 
 #include "app/procedures/tune/large_step.h"
 #include "control/assess/loop_rows.h"
+#include "control/assess/shaped_loop.h"
+#include "control/law/shaped_delta.h"
 
 #include <fmt/format.h>
 
@@ -87,28 +89,20 @@ void judgeRecord(WhatIfBasis& basis, const control::SampledPositionLaw& ran) {
 }
 
 Result<control::SampledPositionLaw> admitted(const WhatIfBasis& basis, const LoopLaw& proposed) {
-    if (proposed.shaped) {
-        return failure(
-            ErrorCode::Refused,
-            "a recorded move is replayed through the board's law, which has no set-point weights and "
-            "no filters",
-            "leave them out of the gains to ask what if");
-    }
-    const control::PositionLaw& law = proposed.law;
     if (basis.quality.verdict == Verdict::Refused) {
         const Finding& finding = basis.quality.findings.back();
         return failure(ErrorCode::Refused, finding.message, finding.hint);
     }
-    const auto board = simulatedLaw(law, basis.config.conditions);
+    const auto board = simulatedLaw(proposed, basis.config.conditions);
     if (!board) {
         return board;
     }
-    const auto loop =
-        control::sampledOpenLoop(basis.identified.plant, law.gains, basis.config.conditions.timing);
-    if (!loop) {
-        return failure(loop.error());
+    const auto radius =
+        control::shapedPoleRadius(basis.identified.plant, asShaped(proposed), basis.config.conditions.timing);
+    if (!radius) {
+        return failure(radius.error());
     }
-    if (control::poleRadius(*loop) >= 1.0) {
+    if (*radius >= 1.0) {
         return failure(ErrorCode::Refused, "with these gains the loop is unstable: no motion is predicted",
                        "choose gains that are stable");
     }
@@ -117,14 +111,14 @@ Result<control::SampledPositionLaw> admitted(const WhatIfBasis& basis, const Loo
 
 /// What the model is wrong by moves the rotor by as much more as the peak of the sensitivity is higher: the
 /// record has shown it only with the gains that ran.
-double amplification(const WhatIfBasis& basis, const control::PositionLaw& law) {
-    const auto peak = [&](const control::PidGains& gains) {
+double amplification(const WhatIfBasis& basis, const LoopLaw& proposed) {
+    const auto peak = [&](const LoopLaw& law) {
         const auto loop =
-            control::sampledOpenLoop(basis.identified.plant, gains, basis.config.conditions.timing);
+            control::deltaOpenLoop(basis.identified.plant, asShaped(law), basis.config.conditions.timing);
         const double margin = loop ? control::smallestMargins(*loop).modulusMargin : 0.0;
         return 1.0 / std::max(margin, 1e-3);
     };
-    return std::max(1.0, peak(law.gains) / peak(basis.config.ran.gains));
+    return std::max(1.0, peak(proposed) / peak(basis.config.ran));
 }
 
 WhatIf nominal(const WhatIfBasis& basis, const control::SampledPositionLaw& law) {
@@ -203,7 +197,7 @@ Result<WhatIf> whatIfWithBand(const WhatIfBasis& basis, const LoopLaw& law) {
     const MotionBand disturbed =
         motionBand(basis.motors, basis.config.move.rows(),
                    [&](const RunMotor& motor) { return replayed(basis, motor, *board).angle_rad; });
-    result.amplification_ratio = amplification(basis, law.law);
+    result.amplification_ratio = amplification(basis, law);
     result.band =
         widened(hullOf(disturbed, identifiedBand(basis, *board)),
                 std::max(1.0, basis.widening_ratio) * result.amplification_ratio, basis.resolution_rad());

@@ -13,7 +13,7 @@ namespace halbench::app {
 /// A move that was measured, and the loop that ran then.
 struct WhatIfConfig {
     RecordedMove move;
-    control::PositionLaw ran;
+    LoopLaw ran;
     LoopConditions conditions;
     MotorEstimate motor;
     UncertaintyDraws draws;
@@ -60,7 +60,7 @@ Result<WhatIfBasis> prepareWhatIf(WhatIfConfig config);
 /// The recorded error through new gains on the identified loop: the same reference and, as a current, what
 /// the identified loop does not explain of the recorded motion; thus the gains that ran give the record
 /// again. Half a millisecond, without a band. Errors: Refused (the record is not explained; the new loop is
-/// unstable; a shaped law, through which no board made a record); of the gains.
+/// unstable); of the gains.
 Result<WhatIf> whatIf(const WhatIfBasis& basis, const LoopLaw& law);
 
 /// The same with its band: what holds three hundred motors with the friction of another run, both with what

@@ -1,72 +1,33 @@
 #include "app/procedures/tune/large_step.h"
 
 #include "control/law/board_gains.h"
-#include "control/law/board_law_run.h"
+#include "control/law/board_law.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace halbench::app {
 
-namespace {
-
-control::SampledPositionLaw boardLaw(const control::PositionLaw& law, const LoopConditions& conditions) {
-    control::SampledPositionLaw result;
-    result.kp_A_per_rad = law.gains.proportional;
-    result.ki_A_per_rad_s = law.gains.integral;
-    result.kd_As_per_rad = law.gains.derivative;
-    result.inertia_As2_per_rad = law.inertia_A_s2_rad;
-    result.viscous_As_per_rad = law.viscous_A_s_rad;
-    result.coulomb_A = law.coulomb_A;
-    result.coulombSpeed_rad_s = law.coulombSpeed_rad_s;
-    result.stiction_A = law.stictionCurrent_A;
-    result.stictionThreshold_rad = law.stictionThreshold_rad;
-    result.stictionSpeed_rad_s = law.stictionSpeed_rad_s;
-    result.limit_A = conditions.currentLimit_A;
-    result.period_s = conditions.timing.period_s;
-    result.delaySamples = conditions.timing.delay_samples;
-    return result;
-}
-
-using Controller = std::function<double(const control::ReferencePoint&, double)>;
-
-/// What computes a filtered law in the place of the simulated board, with its delay.
-Result<Controller> shapedController(const LoopLaw& law, const LoopConditions& conditions) {
-    const auto board = control::boardLaw(*law.shaped, law.law, conditions.timing, conditions.currentLimit_A);
-    if (!board) {
-        return failure(board.error());
+Result<control::SampledPositionLaw> simulatedLaw(const LoopLaw& law, const LoopConditions& conditions) {
+    const auto checked =
+        law.shaped ? Result<control::PidGains>(law.shaped->gains) : control::boardGains(law.law.gains);
+    if (!checked) {
+        return failure(checked.error());
     }
-    return Controller([running = control::BoardLawRun<double>(*board)](
-                          const control::ReferencePoint& reference, double angle_rad) mutable {
-        return running.step({reference.value_rad, reference.speed_rad_s, reference.acceleration_rad_s2},
-                            angle_rad);
-    });
-}
-
-} // namespace
-
-Result<control::SampledPositionLaw> simulatedLaw(const control::PositionLaw& law,
-                                                 const LoopConditions& conditions) {
-    const auto gains = control::boardGains(law.gains);
-    if (!gains) {
-        return failure(gains.error());
-    }
-    control::PositionLaw converted = law;
-    converted.gains = *gains;
-    return boardLaw(converted, conditions);
+    control::ShapedLaw shaped = asShaped(law);
+    shaped.gains = *checked;
+    return control::boardLaw(shaped, law.law, conditions.timing, conditions.currentLimit_A);
 }
 
 Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
                                    const LoopConditions& conditions, double amplitude_rad,
                                    double duration_s) {
-    const auto simulated = simulatedLaw(law.law, conditions);
-    const auto controller = law.shaped ? shapedController(law, conditions) : Result<Controller>(Controller());
-    if (!simulated || !controller) {
-        return failure(simulated ? controller.error() : simulated.error());
+    const auto simulated = simulatedLaw(law, conditions);
+    if (!simulated) {
+        return failure(simulated.error());
     }
     constexpr double ShortestPeriod_s = 1e-5; // two million rows in 20 s
     if (conditions.timing.period_s < ShortestPeriod_s) {
@@ -82,7 +43,6 @@ Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const Lo
     config.rotor.coulombFriction_Nm = plant.breakawayCurrent_A * plant.accelerationGain_rad_s2_A;
     config.torqueConstant_Nm_per_A = plant.accelerationGain_rad_s2_A;
     config.law = *simulated;
-    config.controller = *controller;
     config.reference.amplitude_rad = amplitude_rad;
     config.duration_s = duration_s;
     models::IdealTrace trace = models::runIdealLoop(config);

@@ -1,8 +1,12 @@
 #pragma once
 
 #include "app/procedures/base/procedure.h"
+#include "app/procedures/tune/loop_law.h"
 #include "models/htm/htm_ideal_loop.h"
 
+#include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace halbench::app {
@@ -16,5 +20,29 @@ Result<control::SampledPositionLaw> readPositionLaw(devices::Device& device);
 /// to the board and not to a set of gains.
 std::vector<ParameterValue> positionLawValues(const devices::Catalogue& catalogue,
                                               const control::SampledPositionLaw& law);
+
+/// What the law of a device can do beside its gains, known by its parameters.
+struct BoardLawSpec {
+    bool hasReferenceWeight = false;
+    bool hasDerivativeReferenceWeight = false;
+    bool hasDerivativeFilter = false;
+    std::size_t filters = 0; ///< in series
+};
+BoardLawSpec boardLawSpec(const devices::Catalogue& catalogue);
+/// Error: Refused, naming what the board's law lacks.
+Result<void> checkOffered(const control::ShapedLaw& law, const BoardLawSpec& spec);
+
+/// A law as values of the device's parameters, all of them within its limits; weights and filters that the
+/// device has are written also where the law has none, so that none of before stay. Errors: of
+/// `lawForDevice` of the plain law; Refused when the board's law lacks what this one needs.
+Result<std::vector<ParameterValue>> lawForDevice(const LoopLaw& law, const devices::Catalogue& catalogue);
+/// Values that leave nothing of weights and filters, for what `values` does not name and the device has: a
+/// preset is a plain law.
+void addPlainShaping(std::vector<ParameterValue>& values, const devices::Catalogue& catalogue);
+/// To what single precision leaves of a law on a board.
+bool isSameLaw(const LoopLaw& one, const LoopLaw& other, double period_s);
+/// Back from any map of parameter values: filters with their names, and `shaped` only where there is
+/// something of it. Errors: of `lawFromParameters` and `checkedLaw`.
+Result<LoopLaw> loopLawFromParameters(const std::map<std::string, double>& values, double period_s);
 
 } // namespace halbench::app

@@ -68,9 +68,8 @@ void warn(AnalysisResult& result, const control::PositionPlant& plant, const Loo
         addSaturationNote(result, std::max(std::abs(*least), std::abs(*most)), conditions.currentLimit_A);
     }
     result.warnings.push_back(
-        {"not_on_board",
-         "the board's law has no set-point weights and no filters: this loop is judged and cannot be applied",
-         "write its law as C code for a controller that has them, or leave them out"});
+        {"needs_filtered_law", "these gains need a board whose law has their set-point weights and filters",
+         "tune --gains FILE --apply DEVICE says whether it has; else save the law as C code"});
 }
 
 } // namespace

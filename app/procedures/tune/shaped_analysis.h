@@ -5,7 +5,8 @@
 namespace halbench::app {
 
 /// `runAnalysis` of a law with set-point weights and filters, which must be there: every figure and curve is
-/// that of the shaped loop. The finding `not_on_board` says that no board runs it. Errors: of the inputs.
+/// that of the shaped loop. The finding `needs_filtered_law` says that the plain law does not run it. Errors:
+/// of the inputs.
 Result<AnalysisResult> analyseShaped(const control::PositionPlant& plant, const LoopLaw& law,
                                      const LoopConditions& conditions);
 

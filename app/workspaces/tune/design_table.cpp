@@ -189,7 +189,7 @@ void DesignTable::sayReason(int row, const QString& reason) {
 void DesignTable::fillRow(int row, const ComparedDesign& design, bool isKept) {
     setText(row, Name, isKept ? QString::fromStdString(design.name) : tr("Proposed"));
     const QString method = designTitle(design.method);
-    setText(row, Method, design.isShaped ? tr("%1, with filters: not on the board").arg(method) : method);
+    setText(row, Method, design.isShaped ? tr("%1, with filters").arg(method) : method);
     if (isKept) {
         QTableWidgetItem& cell = *m_table->item(row, Name);
         const Qt::ItemFlags flags = cell.flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable;

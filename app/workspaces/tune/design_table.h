@@ -23,7 +23,7 @@ struct ComparedDesign {
     std::optional<double> bandwidth_rad_s;   ///< of the closed loop
     bool isDrawn = false;
     QString reason;        ///< why nothing is predicted
-    bool isShaped = false; ///< with weights or filters: no board runs it
+    bool isShaped = false; ///< with weights or filters
 };
 
 /// Designs side by side: gains, margins, bandwidth, overshoot. The first row is the one that is worked on;

@@ -25,7 +25,7 @@ namespace {
 
 using control::LoopFilter;
 
-constexpr std::size_t MostFilters = 4; ///< of control::checkedGains
+using control::MostFilters;
 constexpr double LargestFrequency = 1e6;
 
 /// What a filter is at first: one that a usual loop hardly feels.

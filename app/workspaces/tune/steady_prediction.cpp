@@ -13,7 +13,7 @@ bool isSameMotor(const MotorEstimate& one, const MotorEstimate& other) {
 
 } // namespace
 
-std::shared_ptr<const PresentLoop> presentLoop(const MotorEstimate& motor, const control::PositionLaw& law,
+std::shared_ptr<const PresentLoop> presentLoop(const MotorEstimate& motor, const LoopLaw& law,
                                                const LoopConditions& conditions,
                                                std::shared_ptr<const PresentLoop> known) {
     if (known && isSameMotor(known->motor, motor) && known->law == law && known->conditions == conditions) {

@@ -13,7 +13,7 @@ namespace halbench::app {
 /// Immutable.
 struct PresentLoop {
     MotorEstimate motor;
-    control::PositionLaw law;
+    LoopLaw law;
     LoopConditions conditions;
     std::optional<AnalysisResult> predicted; ///< nothing: they cannot be judged
     std::optional<control::LoadStep> loaded; ///< under load; nothing also for a loop that is unstable
@@ -34,7 +34,7 @@ struct SteadyPrediction {
 };
 
 /// `known` where it is of this very motor, law and surroundings. What is no number is never known.
-std::shared_ptr<const PresentLoop> presentLoop(const MotorEstimate& motor, const control::PositionLaw& law,
+std::shared_ptr<const PresentLoop> presentLoop(const MotorEstimate& motor, const LoopLaw& law,
                                                const LoopConditions& conditions,
                                                std::shared_ptr<const PresentLoop> known);
 /// `known` where it is of this very motor, number and seed.

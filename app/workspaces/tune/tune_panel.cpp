@@ -1,5 +1,6 @@
 #include "app/workspaces/tune/tune_panel.h"
 
+#include "app/procedures/tune/position_law_parameters.h"
 #include "app/tuning/loop_conditions.h"
 #include "app/workspaces/parts/foreign_motor_notice.h"
 #include "app/workspaces/parts/page_chooser.h"
@@ -90,7 +91,10 @@ void TunePanel::connectParts() {
     connect(m_preflight, &Preflight::changed, this, &TunePanel::refreshButtons);
     connect(m_foreign, &ForeignMotorNotice::changed, this, &TunePanel::refreshButtons);
     connect(m_apply, &QPushButton::clicked, this, &TunePanel::apply);
-    connect(m_inSteps, &QCheckBox::toggled, this, &TunePanel::refreshOutlook);
+    connect(m_inSteps, &QCheckBox::toggled, this, [this] {
+        refreshOutlook();
+        refreshButtons();
+    });
     connect(m_keep, &QPushButton::clicked, this, &TunePanel::keep);
     connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
     connect(m_save, &QToolButton::clicked, this, &TunePanel::saveGains);
@@ -201,7 +205,7 @@ void TunePanel::readConditions() {
         conditions.timing =
             timingOr(identification ? identification->timing : MeasuredTiming{}, conditions.timing);
     }
-    const auto present = lawFromParameters(valuesBefore());
+    const auto present = loopLawFromParameters(valuesBefore(), conditions.timing.period_s);
     const auto law = present ? std::optional(*present) : std::nullopt;
     if (conditions != m_conditions || law != m_presentLaw || m_form->origin() == TuneForm::Origin::Device) {
         const bool isElsewhere = conditions != m_conditions;
@@ -228,9 +232,10 @@ Result<LoopLaw> TunePanel::chosenLaw() const {
     if (m_form->origin() == TuneForm::Origin::Edited) {
         return editedLaw();
     }
-    const auto law = m_form->origin() == TuneForm::Origin::Preset
-                         ? presetLaw(modelOf(m_bench.session()), m_form->method())
-                         : lawFromParameters(m_bench.deviceValues());
+    if (m_form->origin() == TuneForm::Origin::Device) {
+        return loopLawFromParameters(m_bench.deviceValues(), m_conditions.timing.period_s);
+    }
+    const auto law = presetLaw(modelOf(m_bench.session()), m_form->method());
     return law ? Result<LoopLaw>(*law) : failure(law.error());
 }
 

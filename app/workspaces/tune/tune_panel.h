@@ -103,7 +103,7 @@ private:
     /// Gains of this panel that a device has in its working memory.
     struct AppliedGains {
         std::string document; ///< what Save gains would have written
-        control::PositionLaw law;
+        LoopLaw law;
         QString device;
         bool isSimulated = false;
     };
@@ -142,7 +142,8 @@ private:
     void recordChoice();
     void recordEdit();
     void connectFilters();
-    bool isShaped() const { return m_sketch && m_sketch->shaped; }
+    /// Why these gains cannot be applied to the connected device in the chosen way; nothing: they can.
+    std::optional<Error> obstacle() const;
     void restartHistory();
     void goTo(const GainChoice& choice);
     void refreshHistory();
@@ -192,7 +193,7 @@ private:
     QString keptDesignOf(const AppliedGains& gains, const QString& stem);
     void leaveGains();
     void apply();
-    void startApplying(const control::PositionLaw& law, std::vector<ParameterValue> values);
+    void startApplying(const LoopLaw& law, std::vector<ParameterValue> values);
     void finishApply(const Result<ApplyResult>& result);
     void showVerification(const ApplyResult& result);
     void drawVerification();
@@ -221,9 +222,9 @@ private:
     LatestTask m_replaying; ///< the band of the same move with the proposed gains
     FileQueue m_files;
     LoopConditions m_conditions;
-    std::optional<control::PositionLaw> m_presentLaw; ///< on the device, or before an apply
-    std::optional<GainsFile> m_restored;              ///< of the project; until others are chosen
-    SteadyPrediction m_steady;                        ///< of the last sketch
+    std::optional<LoopLaw> m_presentLaw; ///< on the device, or before an apply
+    std::optional<GainsFile> m_restored; ///< of the project; until others are chosen
+    SteadyPrediction m_steady;           ///< of the last sketch
     KeptDesigns m_designs;
     std::optional<Shaping> m_shaping;
     GainHistory m_history;
@@ -243,7 +244,7 @@ private:
     std::optional<ApplyResult> m_verified;       ///< the last apply that moved
     std::shared_ptr<const WhatIfBasis> m_record; ///< of its move; nothing: none, or not judged yet
     std::optional<WhatIf> m_whatIfSpread;        ///< its band with the proposed gains, when the hand rests
-    bool m_isShapedSaid = false;                 ///< that what is drawn cannot be applied
+    bool m_isObstacleSaid = false;               ///< that what is drawn cannot be applied
     bool m_isUndone = false;                     ///< the gains that were verified were taken back
     QTimer m_decision;                           ///< runs until Keep can be meant
     QTimer m_rest;                               ///< until a hand that holds the gains rests

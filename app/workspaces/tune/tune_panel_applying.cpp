@@ -11,12 +11,12 @@
 namespace halbench::app {
 
 /// At once or in small steps: one procedure, one answer.
-void TunePanel::startApplying(const control::PositionLaw& law, std::vector<ParameterValue> values) {
+void TunePanel::startApplying(const LoopLaw& law, std::vector<ParameterValue> values) {
     std::function<Result<ApplyResult>(devices::Device&, const ProcedureObserver&)> work;
     const MotorEstimate motor = motorEstimate(*m_bench.identification());
     if (m_inSteps->isChecked()) {
         LiveApplyConfig config;
-        config.target = law;
+        config.target = law.law;
         config.motor = motor;
         config.conditions = m_conditions;
         work = [config](devices::Device& device, const ProcedureObserver& observer) -> Result<ApplyResult> {

@@ -1,4 +1,5 @@
 // What was done to the proposed gains in the Tune panel, taken back and done again.
+#include "app/procedures/tune/position_law_parameters.h"
 #include "app/workspaces/tune/design_names.h"
 #include "app/workspaces/tune/filter_editor.h"
 #include "app/workspaces/tune/gain_editor.h"
@@ -57,9 +58,9 @@ GainChoice TunePanel::choiceNow() const {
     choice.targets = m_form->targets().value_or(control::DesignTargets{});
     const bool isOfDevice = m_form->origin() == TuneForm::Origin::Device;
     if (isOfDevice || m_form->origin() == TuneForm::Origin::Edited) {
-        choice.law = isOfDevice
-                         ? LoopLaw(lawFromParameters(m_bench.deviceValues()).value_or(control::PositionLaw{}))
-                         : editedLaw().value_or(LoopLaw{});
+        choice.law = (isOfDevice ? loopLawFromParameters(m_bench.deviceValues(), m_conditions.timing.period_s)
+                                 : editedLaw())
+                         .value_or(LoopLaw{});
     }
     return choice;
 }

@@ -17,6 +17,7 @@
 #include "widgets/controls/progress_row.h"
 #include "widgets/controls/verdict_view.h"
 #include "widgets/figure/figure_view.h"
+#include "widgets/language/phrasebook.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme_style.h"
 
@@ -218,11 +219,10 @@ void TunePanel::growVerification() {
 
 /// From what the procedure is given: how far and how long is said before it is pressed, not in a tooltip.
 void TunePanel::refreshOutlook() {
-    if (isShaped()) {
-        m_outlook->setToolTip(tr("The board's law has no set-point weights and no filters"));
-        m_outlook->setText(
-            tr("These gains cannot be applied: no board has their weights and filters. Take them "
-               "out, or save the law as C for another controller."));
+    if (const auto reason = obstacle()) {
+        m_outlook->setToolTip(widgets::inWords(reason->hint));
+        m_outlook->setText(tr("These gains cannot be applied: %1. %2.")
+                               .arg(widgets::inWords(reason->message), widgets::inWords(reason->hint)));
         return;
     }
     m_outlook->setToolTip(tr("Counted from where the rotor is when it starts"));

@@ -2,6 +2,7 @@
 #include "app/documents/result_documents.h"
 #include "app/figures/tuning_figures.h"
 #include "app/procedures/tune/loop_verdict.h"
+#include "app/procedures/tune/position_law_parameters.h"
 #include "app/workbench/departure_words.h"
 #include "app/workspaces/parts/foreign_motor_notice.h"
 #include "app/workspaces/parts/page_chooser.h"
@@ -65,10 +66,10 @@ QString rippleOf(const ApplyResult& verified, const LoopConditions& conditions, 
     for (const ParameterValue& value : verified.after) {
         values[value.name] = value.value;
     }
-    const auto law = lawFromParameters(values);
+    const auto law = loopLawFromParameters(values, conditions.timing.period_s);
     const auto ripple =
-        law && verified.quality.verdict != Verdict::Refused
-            ? restRipple(verified.verification->recording, law->gains, conditions.timing.period_s)
+        law && !law->shaped && verified.quality.verdict != Verdict::Refused
+            ? restRipple(verified.verification->recording, law->law.gains, conditions.timing.period_s)
             : std::nullopt;
     return ripple ? rippleWords(*ripple, units) : QString();
 }
@@ -156,11 +157,11 @@ void TunePanel::showProblem(const Error& error) {
 }
 
 void TunePanel::refreshButtons() {
-    const bool isUsable = m_shown && m_shown->quality.verdict != Verdict::Refused && !m_shown->shaped;
+    const bool isUsable = m_shown && m_shown->quality.verdict != Verdict::Refused && !obstacle();
     m_apply->setEnabled(isUsable && m_preflight->isPassed() && m_foreign->isAllowed() && !m_isApplying);
     m_save->setEnabled(m_shown.has_value());
-    if (isShaped() != m_isShapedSaid) {
-        m_isShapedSaid = isShaped();
+    if (obstacle().has_value() != m_isObstacleSaid) {
+        m_isObstacleSaid = obstacle().has_value();
         refreshOutlook();
     }
     m_numbers->setUndecided(!m_before.empty());
@@ -182,9 +183,23 @@ void TunePanel::focusNext() {
     next->setFocus(Qt::OtherFocusReason);
 }
 
+std::optional<Error> TunePanel::obstacle() const {
+    if (!m_sketch || m_bench.session().state() != SessionState::Connected) {
+        return std::nullopt;
+    }
+    if (m_sketch->shaped && m_inSteps->isChecked()) {
+        return Error{ErrorCode::Refused,
+                     "gains with set-point weights or filters are applied at once, not in small steps",
+                     "switch small steps off"};
+    }
+    const auto offered =
+        checkOffered(asShaped(m_sketch->loopLaw()), boardLawSpec(m_bench.session().catalogue()));
+    return offered ? std::nullopt : std::optional(offered.error());
+}
+
 void TunePanel::apply() {
-    HB_ASSERT(!m_shown->shaped); // no board runs it
-    const auto values = lawForDevice(m_shown->law, m_bench.session().catalogue());
+    const LoopLaw law(m_shown->law, m_shown->shaped);
+    const auto values = lawForDevice(law, m_bench.session().catalogue());
     if (!values) {
         showError(values.error());
         return;
@@ -192,12 +207,12 @@ void TunePanel::apply() {
     const auto document = toJsonText(gainsDocument(m_bench.designHeader(), *m_shown));
     HB_ASSERT(document.has_value()); // a result holds finite numbers only
     const devices::DeviceInfo& info = m_bench.session().info();
-    m_applying = {*document, m_shown->law, QString::fromStdString(info.id), info.isSimulated};
+    m_applying = {*document, law, QString::fromStdString(info.id), info.isSimulated};
     m_message->clear();
     forgetVerification();
     m_isOfThisMotor = true;
     m_preflight->setRunning(tr("This verification is running"));
-    startApplying(m_shown->law, *values);
+    startApplying(law, *values);
     if (!m_isApplying) {
         m_preflight->setRunning({});
     }
@@ -318,8 +333,8 @@ void TunePanel::drawShownVerification() {
 /// A green verdict beside gains that it is not of would be taken for theirs.
 void TunePanel::showAgreement(const std::vector<widgets::Remark>& remarks) {
     const bool isWithin = m_verified->quality.verdict != Verdict::Refused;
-    const bool isOfShown = m_applying && m_sketch && !m_problem && !m_sketch->shaped &&
-                           isSameLaw(m_sketch->law, m_applying->law);
+    const bool isOfShown = m_applying && m_sketch && !m_problem &&
+                           isSameLaw(m_sketch->loopLaw(), m_applying->law, m_conditions.timing.period_s);
     if (isWithin && (m_isUndone || !isOfShown)) {
         m_agreement->setVerdict(
             widgets::VerdictLevel::Doubtful,

@@ -1,6 +1,7 @@
 // What if: the verification move in the Tune panel, and any recorded one, as they would have been with the
 // gains that are proposed now.
 #include "app/figures/tuning_figures.h"
+#include "app/procedures/tune/position_law_parameters.h"
 #include "app/workspaces/parts/page_chooser.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "app/workspaces/tune/what_if_page.h"
@@ -14,12 +15,12 @@
 namespace halbench::app {
 namespace {
 
-std::optional<control::PositionLaw> lawThatRan(const ApplyResult& result) {
+std::optional<LoopLaw> lawThatRan(const ApplyResult& result, double period_s) {
     std::map<std::string, double> values;
     for (const ParameterValue& value : result.after) {
         values[value.name] = value.value;
     }
-    const auto law = lawFromParameters(values);
+    const auto law = loopLawFromParameters(values, period_s);
     return law ? std::optional(*law) : std::nullopt;
 }
 
@@ -28,7 +29,7 @@ std::optional<control::PositionLaw> lawThatRan(const ApplyResult& result) {
 /// Judged on a worker; until then, and when it is no record to replay, there is no what-if.
 void TunePanel::useRecord(const ApplyResult& result) {
     forgetRecord();
-    const auto ran = lawThatRan(result);
+    const auto ran = lawThatRan(result, m_conditions.timing.period_s);
     auto move = recordedMove(result.verification->recording);
     if (!ran || !move || !m_bench.identification()) {
         return;
@@ -58,7 +59,7 @@ void TunePanel::forgetRecord() {
 /// The gains that ran have the record itself.
 bool TunePanel::isWhatIfDrawn() const {
     return m_record && m_sketch && m_sketch->whatIf && !m_problem &&
-           (m_sketch->shaped || !isSameLaw(m_sketch->law, m_record->config.ran));
+           !isSameLaw(m_sketch->loopLaw(), m_record->config.ran, m_conditions.timing.period_s);
 }
 
 /// Its band, when nobody moves the gains any more.
@@ -66,7 +67,7 @@ void TunePanel::replayRecord() {
     if (isMoving() || !isWhatIfDrawn() || !*m_sketch->whatIf) {
         return;
     }
-    m_replaying.run([record = m_record, law = m_sketch->law] { return whatIfWithBand(*record, law); },
+    m_replaying.run([record = m_record, law = m_sketch->loopLaw()] { return whatIfWithBand(*record, law); },
                     [this](const Result<WhatIf>& replayed) {
                         if (replayed && m_record) {
                             m_whatIfSpread = *replayed;

@@ -1,6 +1,7 @@
 #include "app/workspaces/tune/what_if_page.h"
 
 #include "app/figures/tuning_figures.h"
+#include "app/procedures/tune/position_law_parameters.h"
 #include "app/procedures/tune/tune.h"
 #include "app/workbench/display_quantity.h"
 #include "widgets/controls/empty_state.h"
@@ -149,7 +150,8 @@ void WhatIfPage::propose(const std::optional<LoopLaw>& law, bool isMoving) {
 
 /// The gains that ran have the record itself.
 bool WhatIfPage::isOfRan() const {
-    return m_law && m_record && !m_law->shaped && isSameLaw(m_law->law, m_record->config.ran);
+    return m_law && m_record &&
+           isSameLaw(*m_law, m_record->config.ran, m_record->config.conditions.timing.period_s);
 }
 
 /// Each answer is seen before the next is asked for, so that the curve follows however long its move is.

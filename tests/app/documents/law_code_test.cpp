@@ -1,4 +1,5 @@
 #include "app/documents/law_code.h"
+#include "control/law/shaped_delta.h"
 
 #include <gtest/gtest.h>
 

@@ -47,7 +47,7 @@ class DaqList:
 
 
 class Master:
-    def __init__(self, address, timeout_s=2.0):
+    def __init__(self, address, timeout_s=10.0):
         self.timeout_s = timeout_s
         self.line = open_line(address, timeout_s)
         self.counter = 0

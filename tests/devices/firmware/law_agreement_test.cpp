@@ -105,7 +105,7 @@ TEST(LawAgreement, hostAndBoardAreTheSameToTheBitOverRandomRuns) {
             const LawReference<float> reference{reference_rad, isMoving ? uniform(random, -2.0, 2.0) : 0.0F,
                                                 isMoving ? uniform(random, -9.0, 9.0) : 0.0F};
             const bool isSaturated = random.uniform() < 0.1;
-            const hb_law_input input{angle_rad, reference.angle_rad, reference.speed_rad_s,
+            const hb_law_input input{angle_rad, reference.value_rad, reference.speed_rad_s,
                                      reference.acceleration_rad_s2, static_cast<std::uint8_t>(isSaturated)};
             const float expected_A = hb_law_step(&board, &config, &input);
             const float found_A = host.step(reference, angle_rad, isSaturated);

@@ -125,7 +125,7 @@ TEST(TuneQuestion, judgesTheGainsOnTheDeviceBesideTheProposedOnes) {
     TuneQuestion question;
     question.motor = motorEstimate(publishedMotor());
     question.present = control::PositionLaw{};
-    question.present->gains.proportional = 10.0;
+    question.present->law.gains.proportional = 10.0;
     const auto sketch = sketchTuning(question);
     ASSERT_TRUE(sketch) << sketch.error().message;
     ASSERT_TRUE(sketch->steady.present && sketch->steady.present->predicted);

@@ -33,8 +33,8 @@ TuneQuestion asked() {
 const std::vector<std::pair<const char*, std::function<void(TuneQuestion&)>>>& changes() {
     static const std::vector<std::pair<const char*, std::function<void(TuneQuestion&)>>> all = {
         {"the device's gains", [](TuneQuestion& q) { q.present = lawOf(11.0); }},
-        {"its integral gain", [](TuneQuestion& q) { q.present->gains.integral = 21.0; }},
-        {"its assist", [](TuneQuestion& q) { q.present->stictionCurrent_A = 0.2; }},
+        {"its integral gain", [](TuneQuestion& q) { q.present->law.gains.integral = 21.0; }},
+        {"its assist", [](TuneQuestion& q) { q.present->law.stictionCurrent_A = 0.2; }},
         {"the delay", [](TuneQuestion& q) { q.config.conditions.timing.delay_samples = 1; }},
         {"the period", [](TuneQuestion& q) { q.config.conditions.timing.period_s = 0.008; }},
         {"the current limit", [](TuneQuestion& q) { q.config.conditions.currentLimit_A = 2.0; }},
