@@ -4,7 +4,7 @@
 #include "devices/formats/replay_device.h"
 #include "devices/interruption.h"
 #include "devices/open/port_address.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "devices/transport/port_listing.h"
 #include "devices/transport/tcp_transport.h"
 #include "devices/transport/udp_transport.h"

@@ -2,7 +2,7 @@
 
 #include "devices/open/served_simulation.h"
 #include "devices/open/sxi_framing.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "devices/transport/codec_framing.h"
 #include "devices/transport/pty_server.h"
 #include "devices/transport/tcp_server.h"

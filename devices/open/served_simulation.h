@@ -1,6 +1,6 @@
 #pragma once
 
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "devices/transport/board_server.h"
 
 namespace halbench::devices {

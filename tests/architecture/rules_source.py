@@ -215,6 +215,7 @@ PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
     "tune/loop_uncertainty",  # the motors that runTune draws, for the pictures
     "tune/disturbance",  # a prediction, as the step of runAnalysis
     "apply/live_apply_procedure", "move/what_if",
+    "tune/position_law_parameters",  # a law as parameters and back: nothing moves, nothing is judged
     "base/coil_watch",  # temperatures are read: nothing moves
     "record/capture_orders")}  # the board captures: nothing moves, nothing is judged
 FITS = r"control/identify/|models/estimators/"

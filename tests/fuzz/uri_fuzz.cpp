@@ -1,6 +1,6 @@
 // Device addresses: any text, and what follows of it for sim: and tcp:.
 #include "devices/device_uri.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "devices/transport/tcp_socket.h"
 
 using namespace halbench::devices;

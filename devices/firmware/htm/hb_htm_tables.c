@@ -54,15 +54,16 @@ static const hb_signal Signals[] HB_ROM = {
           "Angle error map, cosine of order " #order),                                                       \
         PAGED("errormap.sin" #order, "rad", errormap_sine[order - 1], 0.0F, -0.2F, 0.2F, NULL,               \
               "Angle error map, sine of order " #order)
-#define COEFFICIENT(n, member, initial, lower, upper, text)                                                  \
-    PAGED("filter." #n "." #member, "", sections[n - 1].member, initial, lower, upper, NULL, text)
-#define SECTION(n)                                                                                           \
-    COEFFICIENT(n, b0, 1.0F, -1000.0F, 1000.0F,                                                              \
+#define COEFFICIENT(n, name, member, initial, lower, upper, text)                                            \
+    PAGED(name, "", sections[n - 1].member, initial, lower, upper, NULL, text)
+#define SECTION(n, b0_name, b1_name, b2_name, a1_name, a2_name)                                              \
+    COEFFICIENT(n, b0_name, b0, 1.0F, -1000.0F, 1000.0F,                                                     \
                 "Filter " #n ": (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2), d = z - 1"),                         \
-        COEFFICIENT(n, b1, 0.0F, -1000.0F, 1000.0F, "Filter " #n ", coefficient b1"),                        \
-        COEFFICIENT(n, b2, 0.0F, -1000.0F, 1000.0F, "Filter " #n ", coefficient b2"),                        \
-        COEFFICIENT(n, a1, 0.0F, 0.0F, 4.0F, "Filter " #n ", coefficient a1; 0: the filter is off"),         \
-        COEFFICIENT(n, a2, 0.0F, 0.0F, 4.0F, "Filter " #n ", coefficient a2")
+        COEFFICIENT(n, b1_name, b1, 0.0F, -1000.0F, 1000.0F, "Filter " #n ", coefficient b1"),               \
+        COEFFICIENT(n, b2_name, b2, 0.0F, -1000.0F, 1000.0F, "Filter " #n ", coefficient b2"),               \
+        COEFFICIENT(n, a1_name, a1, 0.0F, 0.0F, 4.0F,                                                        \
+                    "Filter " #n ", coefficient a1; 0: the filter is off"),                                  \
+        COEFFICIENT(n, a2_name, a2, 0.0F, 0.0F, 4.0F, "Filter " #n ", coefficient a2")
 
 static const hb_parameter Parameters[] HB_ROM = {
     HB_SET_FIRST(hb_htm_calibration, set_first),
@@ -76,10 +77,10 @@ static const hb_parameter Parameters[] HB_ROM = {
     PAGED("gain.derivative_filter", "s", derivative_filter, 0.0F, 0.0F, 10.0F, NULL,
           "Time constant of the derivative's filter"),
 #if HB_LAW_SECTIONS
-    SECTION(1),
-    SECTION(2),
-    SECTION(3),
-    SECTION(4),
+    SECTION(1, "filter.1.b0", "filter.1.b1", "filter.1.b2", "filter.1.a1", "filter.1.a2"),
+    SECTION(2, "filter.2.b0", "filter.2.b1", "filter.2.b2", "filter.2.a1", "filter.2.a2"),
+    SECTION(3, "filter.3.b0", "filter.3.b1", "filter.3.b2", "filter.3.a1", "filter.3.a2"),
+    SECTION(4, "filter.4.b0", "filter.4.b1", "filter.4.b2", "filter.4.a1", "filter.4.a2"),
 #endif
     PAGED("feedforward.inertia", "A*s^2/rad", ff_inertia, 0.0F, 0.0F, 10.0F, NULL, "J/phi"),
     PAGED("feedforward.viscous", "A*s/rad", ff_viscous, 0.0F, 0.0F, 10.0F, NULL, "c/phi"),

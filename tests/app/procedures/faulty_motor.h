@@ -3,7 +3,7 @@
 #include "devices/simulated/fault_transport.h"
 #include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/loopback_transport.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "devices/xcp/xcp_device.h"
 
 #include <gtest/gtest.h>

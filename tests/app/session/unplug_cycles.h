@@ -3,7 +3,7 @@
 #include "app/session/device_session.h"
 #include "app/session/recorder.h"
 #include "devices/formats/recording_file.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "devices/transport/board_server.h"
 
 #include <QtCore/QCoreApplication>

@@ -1,5 +1,6 @@
 #include "devices/open/open_device.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
+#include "devices/simulated/registry/simulated_models.h"
 #include "tests/conformance/actuator/toy_model.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "devices/device_uri.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "devices/transport/board_server.h"
 #include "devices/transport/hid_port.h"
 #include "devices/transport/message_stream.h"

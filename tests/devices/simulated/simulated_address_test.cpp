@@ -1,5 +1,6 @@
 #include "devices/simulated/htm/simulated_htm.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
+#include "devices/simulated/registry/simulated_models.h"
 
 #include <gtest/gtest.h>
 

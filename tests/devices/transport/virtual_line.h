@@ -1,7 +1,7 @@
 #pragma once
 
 #include "devices/open/served_simulation.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "devices/transport/faulty_line.h"
 #include "devices/transport/message_stream.h"
 #include "devices/transport/transport.h"

@@ -2,7 +2,7 @@
 
 #include "devices/simulated/loopback_transport.h"
 #include "devices/simulated/planar/simulated_planar.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "devices/xcp/xcp_device.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "control/base/units.h"
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 #include "tests/memory_in_use.h"
 
 #include <gtest/gtest.h>

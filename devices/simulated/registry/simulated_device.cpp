@@ -1,6 +1,7 @@
-#include "devices/simulated/simulated_device.h"
+#include "devices/simulated/registry/simulated_device.h"
 
 #include "devices/simulated/loopback_transport.h"
+#include "devices/simulated/registry/simulated_models.h"
 #include "devices/xcp/xcp_device.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
+#include "devices/simulated/registry/simulated_models.h"
+
 #include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/planar/simulated_planar.h"
-#include "devices/simulated/simulated_model.h"
 
 #include <algorithm>
 
