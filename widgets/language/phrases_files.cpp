@@ -86,8 +86,6 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the model was identified on the {} '{}', this device is the {} '{}'"),
     QT_TRANSLATE_NOOP("Phrases", "the model was identified on '{}' with other overrides than this device has"),
     QT_TRANSLATE_NOOP("Phrases", "a text"),
-    QT_TRANSLATE_NOOP("Phrases", "a whole number"),
-    QT_TRANSLATE_NOOP("Phrases", "a number"),
     QT_TRANSLATE_NOOP("Phrases", "true or false"),
     QT_TRANSLATE_NOOP("Phrases", "a list"),
     QT_TRANSLATE_NOOP("Phrases", "a table"),
@@ -244,6 +242,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "look whether it is still there"),
     QT_TRANSLATE_NOOP("Phrases", "a design needs a name"),
     QT_TRANSLATE_NOOP("Phrases", "there is a design '{}' already"),
+    QT_TRANSLATE_NOOP("Phrases", "gains with set-point weights or filters are applied at once, not in small steps"),
+    QT_TRANSLATE_NOOP("Phrases", "switch small steps off"),
     QT_TRANSLATE_NOOP("Phrases", "choose another folder or name"),
     QT_TRANSLATE_NOOP("Phrases", "there is no picture to save"),
 };
