@@ -58,7 +58,7 @@ Result<void> admitLaw(const CommandOptions& options, TuneResult& result,
     }
     if (options.isLive) {
         return failure(
-            ErrorCode::Refused,
+            ErrorCode::Usage,
             "--live: gains with set-point weights or filters are applied at once, not in small steps",
             "leave --live out");
     }

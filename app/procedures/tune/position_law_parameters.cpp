@@ -134,7 +134,7 @@ Result<void> checkOffered(const control::ShapedLaw& law, const BoardLawSpec& spe
     if (missing.empty()) {
         return {};
     }
-    return failure(ErrorCode::Refused,
+    return failure(ErrorCode::InvalidInput,
                    fmt::format("the law of this board has no {}", fmt::join(missing, ", no ")),
                    "take it out of the gains, or save the law as C code for another controller");
 }

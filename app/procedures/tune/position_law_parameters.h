@@ -29,12 +29,12 @@ struct BoardLawSpec {
     std::size_t filters = 0; ///< in series
 };
 BoardLawSpec boardLawSpec(const devices::Catalogue& catalogue);
-/// Error: Refused, naming what the board's law lacks.
+/// Error: InvalidInput, naming what the board's law lacks.
 Result<void> checkOffered(const control::ShapedLaw& law, const BoardLawSpec& spec);
 
 /// A law as values of the device's parameters, all of them within its limits; weights and filters that the
 /// device has are written also where the law has none, so that none of before stay. Errors: of
-/// `lawForDevice` of the plain law; Refused when the board's law lacks what this one needs.
+/// `lawForDevice` of the plain law; InvalidInput when the board's law lacks what this one needs.
 Result<std::vector<ParameterValue>> lawForDevice(const LoopLaw& law, const devices::Catalogue& catalogue);
 /// Values that leave nothing of weights and filters, for what `values` does not name and the device has: a
 /// preset is a plain law.

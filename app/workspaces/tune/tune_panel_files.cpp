@@ -40,10 +40,6 @@ void TunePanel::takeFromFile(const QString& path, const Result<GainsFile>& gains
     for (const std::optional<Finding>& finding : {foreign, timing}) {
         remarks += finding ? QStringList(widgets::inWords(finding->message)) : QStringList();
     }
-    if (gains->shaped) {
-        remarks << tr("The board has no set-point weights and no filters: this law is judged, compared and "
-                      "written, and cannot be applied");
-    }
     const auto severity = remarks.empty() ? widgets::Severity::Information : widgets::Severity::Warning;
     m_message->showMessage({severity, tr("Gains of %1.").arg(path), remarks.join(QStringLiteral("; ")), {}});
 }

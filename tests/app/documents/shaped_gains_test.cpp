@@ -108,9 +108,6 @@ TEST(ShapedGains, areRefusedWhereOnlyTheBoardsLawIsKnown) {
     const Error weights = parseGains(gainsWith(R"("setpoint_weights": {"b": 0.6})"), "g.json").error();
     EXPECT_NE(weights.hint.find("halbench analyse"), std::string::npos) << weights.hint;
     EXPECT_EQ(weights.hint.find("--out"), std::string::npos) << weights.hint;
-    const auto refused = notOnBoard("--apply");
-    EXPECT_NE(refused.value().message.find("--apply"), std::string::npos);
-    EXPECT_FALSE(refused.value().hint.empty());
 }
 
 } // namespace

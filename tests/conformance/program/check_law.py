@@ -124,7 +124,8 @@ class ShapedLaw(Law):
         v = self.value
         error, weighted = ref - angle, self.c * ref - angle
         moved = 0.0 if self.previous is None else weighted - self.previous
-        self.rate = (self.filter_s * self.rate + moved) / (self.period_s + self.filter_s)
+        seen = self.period_s * (1.0 - self.c) * speed + moved  # of a smooth reference always the speed
+        self.rate = (self.filter_s * self.rate + seen) / (self.period_s + self.filter_s)
         demand = v("kp") * (self.b * ref - angle) + self.integral + v("kd") * self.rate
         for each in self.filters:
             demand = each.step(demand)
@@ -171,7 +172,7 @@ class Laws(ProgramCase):
                           chance.choice((0.0, 0.01, -0.01, 0.6 * math.cos(0.02 * row))), chance.gauss(0.0, 1.0))
                 expected = law.step(*inputs)
                 limited += abs(expected) == LIMIT_A
-                # Direct form I and the transposed one round otherwise: of some 100 A in the filters a few 1e-13 A, which
+                # Direct form I in powers of z and sections in z - 1 round otherwise: of some 100 A in the filters a few 1e-13 A, which
                 # the lag, whose pole is 0.013 from the circle, sums up a hundredfold.
                 self.assertAlmostEqual(library.step(*inputs), expected, delta=1e-9, msg=f"row {row} of {shaping}")
             self.assertTrue(20 < limited < 4950, f"limit and integral are both exercised: {limited}")

@@ -1,9 +1,10 @@
-"""halbench analyse and tune --gains: controllers that the board's law is not are judged and never applied.
+"""halbench analyse and tune --gains: laws with set-point weights and filters are judged, applied and restored.
 
     python3 check_shaped_gains.py build/release/halbench [ShapedGains[.case]]
 """
 import csv
 import json
+import math
 import sys
 import unittest
 
@@ -16,7 +17,7 @@ LOW_PASS = {"kind": "low-pass", "corner_rad_s": 250, "order": 1}
 
 class ShapedGains(ProgramCase):
     def prepare(self, **shaping):
-        self.accept("identify", "sim:htm?seed=3", "--out", "m.json", timeout=110)
+        self.accept("identify", "sim:htm?seed=1", "--out", "m.json", timeout=110)
         self.accept("tune", "m.json", "--out", "g.json")
         with open(self.path("g.json"), encoding="utf-8") as file:
             document = json.load(file)
@@ -34,7 +35,7 @@ class ShapedGains(ProgramCase):
         margins = [document["predicted"]["margins"]["phase_margin_deg"] for document in (plain, shaped)]
         self.assertLess(margins[1], margins[0])  # what the filters cost
         self.assertLess(shaped["proof"]["noise_gain_A_per_rad"], plain["proof"]["noise_gain_A_per_rad"])
-        self.assertIn("not_on_board", [finding["code"] for finding in shaped["warnings"]])
+        self.assertIn("needs_filtered_law", [finding["code"] for finding in shaped["warnings"]])
         # The load finds the same integral; what the filters cost of damping it pays in its peak.
         peaks = [document["disturbance"]["peak_rad"] for document in (plain, shaped)]
         self.assertTrue(peaks[0] < peaks[1] < 2 * peaks[0], peaks)
@@ -83,16 +84,46 @@ class ShapedGains(ProgramCase):
         with open(self.path("board.svg"), encoding="utf-8") as file:
             self.assertNotEqual(file.read(), drawn["step"])
 
-    def test_what_the_board_cannot_run_is_refused_before_anything_moves(self):
+    def test_are_applied_verified_and_taken_out_again(self):
+        self.prepare(setpoint_weights={"b": 0.7}, filter_s={"value": 0.002, "unit": "s"}, filters=[NOTCH, LOW_PASS])
+        applied = self.accept("tune", "m.json", "--gains", "s.json", "--apply", "sim:htm?seed=1", "--json").json()
+        self.assertTrue(applied["applied"]["kept"])
+        self.assertNotIn("needs_filtered_law", [finding["code"] for finding in applied["warnings"]])  # answered
+        after = {value["name"]: value["value"] for value in applied["applied"]["after"]}
+        self.assertAlmostEqual(after["gain.reference_weight"], 0.7, delta=1e-6)
+        self.assertAlmostEqual(after["gain.derivative_filter"], 0.002, delta=1e-9)
+        # The low-pass by Tustin's rule, pre-warped: with t = tan(w T/2), (t d + 2 t)/((1 + t) d + 2 t) in d = z - 1.
+        t = math.tan(0.5 * 250 * 0.01)
+        for name, value in {"b0": t / (1 + t), "b1": 2 * t / (1 + t), "b2": 0, "a1": 2 * t / (1 + t), "a2": 0}.items():
+            self.assertAlmostEqual(after[f"filter.2.{name}"], value, delta=1e-6)
+        self.assertEqual((after["filter.3.b0"], after["filter.3.a1"]), (1, 0))
+        _, served = self.serve()
+        for gains, weight, pole in (("s.json", 0.7, True), ("g.json", 1, False)):
+            self.accept("tune", "m.json", "--gains", gains, "--apply", served, "--arm")
+            values = self.accept("get", served, "gain.reference_weight", "filter.1.a1", "--json").json()["values"]
+            self.assertAlmostEqual(values[0]["value"], weight, delta=1e-6)
+            self.assertEqual(values[1]["value"] > 0, pole)
+
+    def test_what_cannot_be_is_refused_before_anything_moves(self):
         self.prepare(filters=[NOTCH])
-        self.refuse(2, "--apply", "tune", "m.json", "--gains", "s.json", "--apply", "sim:htm?seed=3")
-        self.refuse(2, "--apply", "tune", "m.json", "--gains", "s.json", "--apply", "sim:htm?seed=3", "--live")
-        self.write("r.csv", "")
-        self.refuse(2, "--what-if", "analyse", "m.json", "s.json", "--what-if", "r.csv")
+        self.refuse(2, "--live", "tune", "m.json", "--gains", "s.json", "--apply", "sim:htm?seed=1", "--live")
+        self.prepare(filters=[NOTCH] * 5)
+        self.refuse(2, "5 filters are more than 4", "tune", "m.json", "--gains", "s.json", "--apply", "sim:htm?seed=1")
         self.prepare(filters=[NOTCH | {"q": 1}])
         self.refuse(2, r"gains\.filters\[0\]\.q", "analyse", "m.json", "s.json")
-        self.prepare(setpoint_weights={"b": 1, "c": 0}, filters=[])  # nothing that the board has not
-        self.accept("tune", "m.json", "--gains", "s.json", "--apply", "sim:htm?seed=3")
+        unstable = {"kind": "section", "b0": 1, "b1": 0, "b2": 0.1, "a1": 0.1, "a2": 0.2}
+        self.prepare(filters=[unstable])
+        self.refuse(2, "not stable", "tune", "m.json", "--gains", "s.json", "--apply", "sim:htm?seed=1")
+
+    def test_a_section_is_the_filter_that_it_was_made_of(self):
+        t = math.tan(0.5 * 250 * 0.01)
+        section = {"kind": "section", "b0": t / (1 + t), "b1": 2 * t / (1 + t), "b2": 0, "a1": 2 * t / (1 + t), "a2": 0}
+        self.prepare(filters=[LOW_PASS])
+        named = self.accept("analyse", "m.json", "s.json", "--json").json()
+        self.prepare(filters=[section])
+        given = self.accept("analyse", "m.json", "s.json", "--json").json()
+        for margin in ("phase_margin_deg", "gain_margin", "modulus_margin"):
+            self.assertAlmostEqual(given["margins"][margin] / named["margins"][margin], 1, delta=1e-9, msg=margin)
 
     def test_an_unstable_one_is_refused(self):
         self.prepare(filters=[LOW_PASS | {"corner_rad_s": 3, "order": 2}])

@@ -120,6 +120,47 @@ TEST(BoardLaw, swingsAsTheHarmonicBalancePredicts) {
     EXPECT_NEAR((*cycles)[1].frequency_rad_s / (2.0 * Pi * crossings / 20.0), 1.0, 0.1);
 }
 
+// Second route: the loop's controller as roots in z - 1 (deltaController) and, for a sine as reference, the
+// law itself run until it has settled.
+TEST(BoardLaw, hasTheFrequencyResponseOfItsRun) {
+    PositionLaw extras;
+    extras.inertia_A_s2_rad = 0.03;
+    extras.viscous_A_s_rad = 0.08;
+    ShapedLaw law = shaped();
+    law.gains.integral = 0.0; // an integral of a sine never settles
+    law.proportionalWeight = 1.0;
+    const auto board = boardLaw(law, extras, {Period_s, 0}, 1e9);
+    const auto controller = deltaController(law, Period_s);
+    ASSERT_TRUE(board && controller);
+    constexpr int Settled = 4000; // samples; the slowest pole of this law is 0.3
+    constexpr int Samples = 20000;
+    for (const int periods : {16, 637, 2865, 7958}) { // whole ones: 0.5 to 250 rad/s
+        const double w = 2.0 * Pi * periods / (Samples * Period_s);
+        EXPECT_LT(std::abs(feedbackResponse(*board, w) / controller->atFrequency(w) - 1.0), 1e-9) << w;
+        BoardLawRun<double> run(*board);
+        std::complex<double> sum = 0.0;
+        for (int k = 0; k < Settled + Samples; ++k) {
+            const double x = w * Period_s * k;
+            const double current_A = run.step({std::sin(x), w * std::cos(x), -w * w * std::sin(x)}, 0.0);
+            sum += k < Settled ? 0.0 : current_A * std::polar(1.0, -x);
+        }
+        const std::complex<double> seen = std::complex<double>(0.0, 2.0 / Samples) * sum;
+        EXPECT_LT(std::abs(seen / referenceResponse(*board, w) - 1.0), 1e-9) << w; // of 20000 roundings
+    }
+}
+
+TEST(BoardLaw, isTheLawThatItWasMadeOf) {
+    const auto board = boardLaw(shaped(), {}, {Period_s, 1}, 4.0);
+    ASSERT_TRUE(board);
+    const ShapedLaw again = shapedLaw(*board);
+    EXPECT_EQ(again.filters, shaped().filters);
+    EXPECT_EQ(again.proportionalWeight, shaped().proportionalWeight);
+    EXPECT_EQ(again.derivativeWeight, shaped().derivativeWeight);
+    EXPECT_EQ(again.gains.filter_s, shaped().gains.filter_s);
+    // Notch and low-pass pass a constant as it is.
+    EXPECT_NEAR(proportionalAtRest_A_per_rad(*board), shaped().gains.proportional, 1e-9);
+}
+
 TEST(BoardLaw, whatIsNoLawIsRefused) {
     ShapedLaw law = shaped();
     law.derivativeWeight = std::numeric_limits<double>::quiet_NaN();

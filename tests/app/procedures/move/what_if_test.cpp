@@ -169,17 +169,22 @@ TEST(WhatIf, unstableGainsHaveNoMotion) {
     EXPECT_NE(withheld.error().message.find("unstable"), std::string::npos);
 }
 
-TEST(WhatIf, aLawThatNoBoardRunsHasNone) {
+// A filter without effect leaves the recorded motion as it is; a low-pass changes it and has its band.
+TEST(WhatIf, replaysALawWithFilters) {
     const control::PositionLaw ran = lawOf("recommended");
     const WhatIfBasis basis = basisOf(record("seed=2", ran), ran);
     control::ShapedLaw shaped;
     shaped.gains = ran.gains;
+    shaped.filters = {control::SectionFilter{}};
+    const auto same = whatIf(basis, {ran, shaped});
+    const auto plain = whatIf(basis, ran);
+    ASSERT_TRUE(same && plain);
+    EXPECT_EQ(same->angle_rad, plain->angle_rad);
     shaped.filters = {control::LowPassFilter{250.0, 1}};
-    const auto withheld = whatIf(basis, {ran, shaped});
-    ASSERT_FALSE(withheld);
-    EXPECT_EQ(withheld.error().code, ErrorCode::Refused);
-    EXPECT_NE(withheld.error().message.find("no filters"), std::string::npos);
-    EXPECT_FALSE(whatIfWithBand(basis, {ran, shaped}));
+    const auto filtered = whatIfWithBand(basis, {ran, shaped});
+    ASSERT_TRUE(filtered) << filtered.error().message;
+    EXPECT_NE(filtered->angle_rad, plain->angle_rad);
+    EXPECT_TRUE(filtered->band);
 }
 
 TEST(WhatIf, aMotorWithoutCovarianceHasNone) {

@@ -68,7 +68,7 @@ TEST(ShapedAnalysis, figuresAreThoseOfTheShapedLoop) {
     ASSERT_TRUE(judged && board);
     EXPECT_LT(judged->predicted.margins.phaseMargin_deg, board->predicted.margins.phaseMargin_deg);
     EXPECT_LT(judged->predicted.step->overshoot_percent, board->predicted.step->overshoot_percent);
-    EXPECT_TRUE(has(*judged, "not_on_board"));
+    EXPECT_TRUE(has(*judged, "needs_filtered_law"));
     EXPECT_EQ(judged->shaped->filters, shaped.filters);
     EXPECT_FALSE(board->shaped);
     // The lag doubles what holds the rotor at rest.
