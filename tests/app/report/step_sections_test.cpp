@@ -1,3 +1,4 @@
+#include "app/actuators/htm/motor_geometry_analysis.h"
 #include "app/report/step_sections.h"
 
 #include <gtest/gtest.h>

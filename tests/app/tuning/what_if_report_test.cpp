@@ -44,8 +44,8 @@ protected:
 TEST_F(WhatIfReportTest, theGainsThatRanStandBesideTheRecording) {
     const auto ran = readRanMove(path("move.csv"), {}, {});
     ASSERT_TRUE(ran) << ran.error().message;
-    EXPECT_EQ(ran->law.gains.proportional, 10.0);
-    EXPECT_NEAR(ran->law.gains.integral, 0.1, 1e-7);
+    EXPECT_EQ(ran->law.law.gains.proportional, 10.0);
+    EXPECT_NEAR(ran->law.law.gains.integral, 0.1, 1e-7);
     EXPECT_EQ(ran->conditions.currentLimit_A, 4.0);
     EXPECT_EQ(ran->move.rows(), 1501U);
 }
@@ -64,7 +64,7 @@ TEST_F(WhatIfReportTest, withoutThemTheyHaveToBeGiven) {
     ASSERT_TRUE(writeFile(path("gains.json"), *toJsonText(gainsDocument(header, *gains))));
     const auto ran = readRanMove(path("move.csv"), path("gains.json"), {});
     ASSERT_TRUE(ran) << ran.error().message;
-    EXPECT_EQ(ran->law.gains.proportional, 10.0);
+    EXPECT_EQ(ran->law.law.gains.proportional, 10.0);
 }
 
 TEST_F(WhatIfReportTest, predictsWithItsBandOrSaysWhyNot) {
