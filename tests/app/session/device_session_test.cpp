@@ -1,6 +1,7 @@
 #include "app/procedures/identify/identify_procedure.h"
 #include "app/procedures/move/move_procedure.h"
 #include "app/session/device_session.h"
+#include "devices/open/open_device.h"
 
 #include <QtCore/QCoreApplication>
 #include <QtTest/QTest>

@@ -1,5 +1,6 @@
 #include "app/procedures/move/move_procedure.h"
 #include "app/session/device_session.h"
+#include "devices/open/open_device.h"
 #include "devices/transport/tcp_server.h"
 #include "tests/devices/transport/served_board.h"
 
