@@ -18,38 +18,38 @@ static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisi
 
 #define SIGNAL(name, unit, member, limit, text)                                                              \
     HB_SIGNAL(name, unit, HB_FLOAT32, hb_planar_signals, member, 1.0F, -(limit), limit, NULL, text)
-#define AXES(name, unit, turn_unit, member, limit, turn_limit, text)                                         \
-    SIGNAL(name ".x", unit, member[0], limit, text " along x"),                                              \
-        SIGNAL(name ".y", unit, member[1], limit, text " along y"),                                          \
-        SIGNAL(name ".phi", turn_unit, member[2], turn_limit, text " about the vertical")
-#define COIL(number)                                                                                         \
-    SIGNAL("current.coil" #number, "A", current_A[number - 1], 5.0F, "Current commanded into coil " #number)
-#define HEAT(number)                                                                                         \
-    SIGNAL("coil_temperature.coil" #number, "degC", temperature_degC[number - 1], 500.0F, "Coil " #number)
-#define CHIP(number)                                                                                         \
-    SIGNAL("hall.x" #number, "T", field_T[2 * number - 2], 0.25F, "Field along x' at chip " #number),        \
-        SIGNAL("hall.y" #number, "T", field_T[2 * number - 1], 0.25F, "Field along y' at chip " #number)
+#define AXES(x, y, phi, unit, turn_unit, member, limit, turn_limit, text)                                    \
+    SIGNAL(x, unit, member[0], limit, text " along x"), SIGNAL(y, unit, member[1], limit, text " along y"),  \
+        SIGNAL(phi, turn_unit, member[2], turn_limit, text " about the vertical")
+#define COIL(name, number)                                                                                   \
+    SIGNAL(name, "A", current_A[number - 1], 5.0F, "Current commanded into coil " #number)
+#define HEAT(name, number) SIGNAL(name, "degC", temperature_degC[number - 1], 500.0F, "Coil " #number)
+#define CHIP(x, y, number)                                                                                   \
+    SIGNAL(x, "T", field_T[2 * number - 2], 0.25F, "Field along x' at chip " #number),                       \
+        SIGNAL(y, "T", field_T[2 * number - 1], 0.25F, "Field along y' at chip " #number)
 
 static const hb_signal Signals[] HB_ROM = {
-    AXES("position", "m", "rad", position, 10.0F, 3.2F, "Pose of the platen"),
-    AXES("speed", "m/s", "rad/s", speed, 10.0F, 100.0F, "Speed of the platen"),
-    AXES("reference", "m", "rad", reference, 1000.0F, 1000.0F, "Reference, or effort in mode wrench,"),
-    AXES("effort", "N", "N*m", effort, 100.0F, 10.0F, "Force or torque of the currents"),
-    COIL(1),
-    COIL(2),
-    COIL(3),
-    COIL(4),
-    COIL(5),
-    COIL(6),
-    CHIP(1),
-    CHIP(2),
-    CHIP(3),
-    HEAT(1),
-    HEAT(2),
-    HEAT(3),
-    HEAT(4),
-    HEAT(5),
-    HEAT(6),
+    AXES("position.x", "position.y", "position.phi", "m", "rad", position, 10.0F, 3.2F, "Pose of the platen"),
+    AXES("speed.x", "speed.y", "speed.phi", "m/s", "rad/s", speed, 10.0F, 100.0F, "Speed of the platen"),
+    AXES("reference.x", "reference.y", "reference.phi", "m", "rad", reference, 1000.0F, 1000.0F,
+         "Reference, or effort in mode wrench,"),
+    AXES("effort.x", "effort.y", "effort.phi", "N", "N*m", effort, 100.0F, 10.0F,
+         "Force or torque of the currents"),
+    COIL("current.coil1", 1),
+    COIL("current.coil2", 2),
+    COIL("current.coil3", 3),
+    COIL("current.coil4", 4),
+    COIL("current.coil5", 5),
+    COIL("current.coil6", 6),
+    CHIP("hall.x1", "hall.y1", 1),
+    CHIP("hall.x2", "hall.y2", 2),
+    CHIP("hall.x3", "hall.y3", 3),
+    HEAT("coil_temperature.coil1", 1),
+    HEAT("coil_temperature.coil2", 2),
+    HEAT("coil_temperature.coil3", 3),
+    HEAT("coil_temperature.coil4", 4),
+    HEAT("coil_temperature.coil5", 5),
+    HEAT("coil_temperature.coil6", 6),
     SIGNAL("lift", "N", lift_N, 100.0F, "Vertical force of the coils, upward"),
     SIGNAL("chi_square", "", chi_square, 1.0e9F, "Squared residuals of the readings over their deviation"),
     SIGNAL("current_scale", "", current_scale, 1.0F, "Below 1: currents at their limit"),
@@ -74,14 +74,15 @@ static const hb_signal Signals[] HB_ROM = {
 #define LISTED(name, unit, member, count, initial, lower, upper, text)                                       \
     HB_PARAM_LIST(HB_PAGED, name, unit, HB_FLOAT32, hb_planar_calibration, member, count, initial, lower,    \
                   upper, text)
-#define GAINS(axis, index, per_m, per_ms, s_per_m, inertia_unit, kp0, ki0, kd0)                              \
-    PAGED("gain." axis ".kp", per_m, gains[index].kp, kp0, 0.0F, 1.0e6F, NULL, "Proportional gain"),         \
-        PAGED("gain." axis ".ki", per_ms, gains[index].ki, ki0, 0.0F, 1.0e8F, NULL, "Integral gain"),        \
-        PAGED("gain." axis ".kd", s_per_m, gains[index].kd, kd0, 0.0F, 1.0e4F, NULL,                         \
+#define GAINS(kp_name, ki_name, kd_name, weight_name, inertia_name, index, per_m, per_ms, s_per_m,           \
+              inertia_unit, kp0, ki0, kd0)                                                                   \
+    PAGED(kp_name, per_m, gains[index].kp, kp0, 0.0F, 1.0e6F, NULL, "Proportional gain"),                    \
+        PAGED(ki_name, per_ms, gains[index].ki, ki0, 0.0F, 1.0e8F, NULL, "Integral gain"),                   \
+        PAGED(kd_name, s_per_m, gains[index].kd, kd0, 0.0F, 1.0e4F, NULL,                                    \
               "Derivative gain on the measured speed"),                                                      \
-        PAGED("gain." axis ".setpoint_weight", "", gains[index].setpoint_weight, 0.745F, 0.0F, 1.0F, NULL,   \
+        PAGED(weight_name, "", gains[index].setpoint_weight, 0.745F, 0.0F, 1.0F, NULL,                       \
               "Part of a step that the proportional gain sees"),                                             \
-        PAGED("feedforward." axis ".inertia", inertia_unit, gains[index].inertia, 0.0F, 0.0F, 100.0F, NULL,  \
+        PAGED(inertia_name, inertia_unit, gains[index].inertia, 0.0F, 0.0F, 100.0F, NULL,                    \
               "Effort per acceleration of a profile")
 /* Chips that the table builds for each of three. */
 #define CHIPS(name, unit, member, initial, lower, upper, text)                                               \
@@ -115,9 +116,12 @@ static const hb_signal Signals[] HB_ROM = {
 
 static const hb_parameter Parameters[] HB_ROM = {
     HB_SET_FIRST(hb_planar_calibration, set_first),
-    GAINS("x", 0, "N/m", "N/(m*s)", "N*s/m", "kg", 660.48F, 1267.2F, 39.808F),
-    GAINS("y", 1, "N/m", "N/(m*s)", "N*s/m", "kg", 660.48F, 1267.2F, 39.808F),
-    GAINS("phi", 2, "N*m/rad", "N*m/(rad*s)", "N*m*s/rad", "kg*m^2", 3.864F, 7.92F, 0.1222F),
+    GAINS("gain.x.kp", "gain.x.ki", "gain.x.kd", "gain.x.setpoint_weight", "feedforward.x.inertia", 0, "N/m",
+          "N/(m*s)", "N*s/m", "kg", 660.48F, 1267.2F, 39.808F),
+    GAINS("gain.y.kp", "gain.y.ki", "gain.y.kd", "gain.y.setpoint_weight", "feedforward.y.inertia", 1, "N/m",
+          "N/(m*s)", "N*s/m", "kg", 660.48F, 1267.2F, 39.808F),
+    GAINS("gain.phi.kp", "gain.phi.ki", "gain.phi.kd", "gain.phi.setpoint_weight", "feedforward.phi.inertia",
+          2, "N*m/rad", "N*m/(rad*s)", "N*m*s/rad", "kg*m^2", 3.864F, 7.92F, 0.1222F),
     PAGED("platen.mass", "kg", mass_kg, 0.64F, 0.01F, 100.0F, NULL, "Moving mass"),
     PAGED("platen.inertia", "kg*m^2", inertia_kg_m2, 1.0e-3F, 1.0e-5F, 1.0F, NULL,
           "Inertia about the vertical"),

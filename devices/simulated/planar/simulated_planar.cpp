@@ -17,20 +17,22 @@ struct Truth {
 };
 
 #define TRUTH(name, unit, member, limit, text)                                                               \
-    HB_SIGNAL("truth." name, unit, HB_FLOAT64, Truth, member, 1.0F, -(limit), limit, nullptr, text)
+    HB_SIGNAL(name, unit, HB_FLOAT64, Truth, member, 1.0F, -(limit), limit, nullptr, text)
 
 const hb_signal TruthSignals[] = {
-    TRUTH("position.x", "m", position[0], 10.0F, "True pose along x, known to the simulation only"),
-    TRUTH("position.y", "m", position[1], 10.0F, "True pose along y, known to the simulation only"),
-    TRUTH("position.phi", "rad", position[2], 3.2F, "True rotation, known to the simulation only"),
-    TRUTH("speed.x", "m/s", speed[0], 10.0F, "True speed along x, known to the simulation only"),
-    TRUTH("speed.y", "m/s", speed[1], 10.0F, "True speed along y, known to the simulation only"),
-    TRUTH("speed.phi", "rad/s", speed[2], 100.0F, "True speed of rotation, known to the simulation only"),
-    TRUTH("effort.x", "N", effort[0], 100.0F,
+    TRUTH("truth.position.x", "m", position[0], 10.0F, "True pose along x, known to the simulation only"),
+    TRUTH("truth.position.y", "m", position[1], 10.0F, "True pose along y, known to the simulation only"),
+    TRUTH("truth.position.phi", "rad", position[2], 3.2F, "True rotation, known to the simulation only"),
+    TRUTH("truth.speed.x", "m/s", speed[0], 10.0F, "True speed along x, known to the simulation only"),
+    TRUTH("truth.speed.y", "m/s", speed[1], 10.0F, "True speed along y, known to the simulation only"),
+    TRUTH("truth.speed.phi", "rad/s", speed[2], 100.0F,
+          "True speed of rotation, known to the simulation only"),
+    TRUTH("truth.effort.x", "N", effort[0], 100.0F,
           "True force of the coils along x, known to the simulation only"),
-    TRUTH("effort.y", "N", effort[1], 100.0F,
+    TRUTH("truth.effort.y", "N", effort[1], 100.0F,
           "True force of the coils along y, known to the simulation only"),
-    TRUTH("effort.phi", "N*m", effort[2], 10.0F, "True torque of the coils, known to the simulation only"),
+    TRUTH("truth.effort.phi", "N*m", effort[2], 10.0F,
+          "True torque of the coils, known to the simulation only"),
 };
 
 class PlanarBoardPlant final : public Plant {
