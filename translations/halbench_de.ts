@@ -95,6 +95,50 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>From the wrench to the currents</source>
+        <translation>Von Kraft und Moment zu den Strömen</translation>
+    </message>
+    <message>
+        <source>set by set</source>
+        <translation>Spulenpaar für Spulenpaar</translation>
+    </message>
+    <message>
+        <source>heading, fundamental</source>
+        <translation>mit Drehlage, Grundwelle</translation>
+    </message>
+    <message>
+        <source>heading, all harmonics</source>
+        <translation>mit Drehlage, alle Oberwellen</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>chip</source>
+        <translation>Hallchip</translation>
+    </message>
+    <message>
+        <source>coil</source>
+        <translation>Spule</translation>
+    </message>
+    <message>
+        <source>platen</source>
+        <translation>Läufer</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
         <source>Pose of the platen along {}</source>
         <translation>Pose des Läufers entlang {}</translation>
     </message>

@@ -95,6 +95,50 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>From the wrench to the currents</source>
+        <translation>由力与力矩分配电流</translation>
+    </message>
+    <message>
+        <source>set by set</source>
+        <translation>逐对分配</translation>
+    </message>
+    <message>
+        <source>heading, fundamental</source>
+        <translation>考虑转角，基波</translation>
+    </message>
+    <message>
+        <source>heading, all harmonics</source>
+        <translation>考虑转角，所有谐波</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>chip</source>
+        <translation>霍尔芯片</translation>
+    </message>
+    <message>
+        <source>coil</source>
+        <translation>线圈</translation>
+    </message>
+    <message>
+        <source>platen</source>
+        <translation>动子</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>质量</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>力</translation>
+    </message>
+    <message>
         <source>Pose of the platen along {}</source>
         <translation>动子沿 {} 的位姿</translation>
     </message>

@@ -14,7 +14,7 @@
 #include "devices/firmware/board/hb_board.h"
 #include "devices/firmware/control/hb_reference.h"
 #include "devices/firmware/planar/hb_planar_law.h"
-#include "devices/firmware/planar/hb_planar_wrench.h"
+#include "devices/firmware/planar/hb_planar_windings.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -46,6 +46,10 @@ enum hb_planar_mode {
     HB_PLANAR_WRENCH                       /* N, N, N m about the origin of the platen frame */
 };
 
+/* Wrench to currents: by the published model, or by the windings with the heading and one or all harmonics.
+ */
+enum hb_planar_allocation { HB_ALLOCATION_SET_WISE, HB_ALLOCATION_FUNDAMENTAL, HB_ALLOCATION_FULL };
+
 enum hb_planar_fault {
     HB_PLANAR_FAULT_LIFT = HB_FAULT_COUNT, /* vertical force near the weight */
     HB_PLANAR_FAULT_COUNT
@@ -58,6 +62,7 @@ typedef struct {
     float mass_kg, inertia_kg_m2;
     float centre_x_m, centre_y_m; /* centre of mass in platen axes */
     hb_planar_coils coils;
+    float allocation; /* HB_ALLOCATION_... */
     float speed_filter_s;
     float limit_current_A, limit_temperature_degC, limit_lift_N;
     float window_position[HB_AXES], window_position_enabled;

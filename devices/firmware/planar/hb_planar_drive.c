@@ -38,7 +38,13 @@ static hb_wrench aboutOrigin(const hb_planar* planar, const hb_planar_calibratio
 
 static void demand(hb_planar* planar, const hb_planar_calibration* page, const hb_wrench* wrench) {
     hb_pose pose = poseOf(planar);
-    hb_planar_allocate(&page->coils, &pose, wrench, planar->demand_A);
+    if (page->allocation < 0.5F) {
+        hb_planar_allocate(&page->coils, &pose, wrench, planar->demand_A);
+    } else {
+        uint8_t orders = page->allocation < 1.5F ? 1U : (uint8_t)HB_WINDING_ORDERS;
+        hb_coil_wrench forces = hb_planar_windings(&page->coils, &pose, orders);
+        (void)hb_planar_least_norm(&forces, wrench, planar->demand_A); /* else no current */
+    }
     planar->signals.current_scale = hb_planar_limit(planar->demand_A, page->limit_current_A);
 }
 

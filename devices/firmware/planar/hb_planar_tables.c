@@ -13,6 +13,7 @@ static hb_rom_char StatusChoices[] = HB_STATUS_CHOICES;
 static hb_rom_char OffOn[] = HB_SWITCH_CHOICES;
 static hb_rom_char NoYes[] = "no|yes";
 static hb_rom_char ModeChoices[] = "idle|coil currents|position|wrench";
+static hb_rom_char AllocationChoices[] = "set by set|heading, fundamental|heading, all harmonics";
 static hb_rom_char DelayChoices[] = "none|one sample|two samples";
 static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine";
 
@@ -132,6 +133,8 @@ static const hb_parameter Parameters[] HB_ROM = {
     PAGED("coil.pitch", "m", coils.pitch_m, 0.0508F, 0.001F, 1.0F, NULL, "Pitch of the magnet matrix"),
     PAGED("coil.width", "m", coils.coil_width_m, 6.096e-3F, 0.0F, 0.1F, NULL, "Width of a coil's winding"),
     PAGED("coil.arm", "m", coils.arm56_m, 0.0444F, 0.0F, 0.5F, NULL, "Place of coils 5 and 6 along y'"),
+    PAGED("coil.allocation", "", allocation, 0.0F, 0.0F, 2.0F, AllocationChoices,
+          "From the wrench to the currents"),
     PAGED("speed.filter", "s", speed_filter_s, 2.0e-3F, 0.0F, 0.1F, NULL, "Time constant of the speeds"),
     PAGED("limit.current", "A", limit_current_A, 1.0F, 0.0F, 5.0F, NULL, "Largest current of a coil"),
     PAGED("limit.temperature", "degC", limit_temperature_degC, 80.0F, -40.0F, 100.0F, NULL,
@@ -159,7 +162,7 @@ static const hb_parameter Parameters[] HB_ROM = {
     CHIPS("cross_yx", "", cross_yx, 0.0F, -0.3F, 0.3F, "Share of the field along x' in the reading of y'"),
     CHIPS("offset_x", "T", offset_x_T, 0.0F, -0.05F, 0.05F, "Offset of the reading of x'"),
     CHIPS("offset_y", "T", offset_y_T, 0.0F, -0.05F, 0.05F, "Offset of the reading of y'"),
-    LISTED("crosstalk", "T/A", chips.crosstalk_T_per_A, HB_CHIP_FIELDS* HB_COILS, 0.0F, -0.05F, 0.05F,
+    LISTED("chip.crosstalk", "T/A", chips.crosstalk_T_per_A, HB_CHIP_FIELDS* HB_COILS, 0.0F, -0.05F, 0.05F,
            "Field of coil 1 ... 6 at chip 1 along x', along y', at chip 2, ..."),
     PAGED("chip.deviation", "T", chips.deviation_T, 3.0e-4F, 1.0e-7F, 0.05F, NULL,
           "Deviation of a reading: noise and what calibration leaves"),

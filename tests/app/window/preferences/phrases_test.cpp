@@ -4,6 +4,7 @@
 #include "control/base/units.h"
 #include "control/design/design_methods.h"
 #include "devices/open/open_device.h"
+#include "devices/simulated/simulated_model.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/language/phrasebook.h"
 
@@ -36,19 +37,22 @@ protected:
     }
 };
 
-TEST_P(PhrasesTest, haveEveryWordOfTheSimulatedBoardsCatalogue) {
-    open();
-    connectMotor(1.0);
-    const devices::Catalogue& catalogue = session().catalogue();
-    ASSERT_FALSE(catalogue.signals.empty());
-    for (const SignalSpec& spec : catalogue.signals) {
-        expectKnown(spec.help, spec.name);
-        expectKnown(spec.choices, spec.name);
-    }
-    for (const ParameterSpec& spec : catalogue.parameters) {
-        expectKnown(spec.help, spec.name);
-        expectKnown(spec.group, spec.name);
-        expectKnown(spec.choices, spec.name);
+TEST_P(PhrasesTest, haveEveryWordOfTheSimulatedBoardsCatalogues) {
+    for (const devices::SimulatedModel& model : devices::simulatedModels()) {
+        const auto device = devices::openDevice("sim:" + model.name, {});
+        ASSERT_TRUE(device) << model.name;
+        expectKnown(model.title, model.name);
+        const devices::Catalogue& catalogue = (*device)->catalogue();
+        ASSERT_FALSE(catalogue.signals.empty());
+        for (const SignalSpec& spec : catalogue.signals) {
+            expectKnown(spec.help, spec.name);
+            expectKnown(spec.choices, spec.name);
+        }
+        for (const ParameterSpec& spec : catalogue.parameters) {
+            expectKnown(spec.help, spec.name);
+            expectKnown(spec.group, spec.name);
+            expectKnown(spec.choices, spec.name);
+        }
     }
 }
 
