@@ -95,6 +95,22 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>Pose and speed from the readings</source>
+        <translation>Pose und Geschwindigkeit aus den Messwerten</translation>
+    </message>
+    <message>
+        <source>Squared innovation of the tracking filter, 6 when all is well</source>
+        <translation>Quadrierte Innovation des Folgefilters, im Normalfall 6</translation>
+    </message>
+    <message>
+        <source>least squares</source>
+        <translation>kleinste Quadrate</translation>
+    </message>
+    <message>
+        <source>tracking filter</source>
+        <translation>Folgefilter</translation>
+    </message>
+    <message>
         <source>From the wrench to the currents</source>
         <translation>Von Kraft und Moment zu den Strömen</translation>
     </message>

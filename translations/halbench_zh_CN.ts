@@ -95,6 +95,22 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>Pose and speed from the readings</source>
+        <translation>由读数得到位姿和速度</translation>
+    </message>
+    <message>
+        <source>Squared innovation of the tracking filter, 6 when all is well</source>
+        <translation>跟踪滤波器的新息平方，正常为 6</translation>
+    </message>
+    <message>
+        <source>least squares</source>
+        <translation>最小二乘</translation>
+    </message>
+    <message>
+        <source>tracking filter</source>
+        <translation>跟踪滤波器</translation>
+    </message>
+    <message>
         <source>From the wrench to the currents</source>
         <translation>由力与力矩分配电流</translation>
     </message>

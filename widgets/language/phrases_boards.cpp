@@ -80,6 +80,10 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "set by set"),
     QT_TRANSLATE_NOOP("Phrases", "heading, fundamental"),
     QT_TRANSLATE_NOOP("Phrases", "heading, all harmonics"),
+    QT_TRANSLATE_NOOP("Phrases", "Pose and speed from the readings"),
+    QT_TRANSLATE_NOOP("Phrases", "Squared innovation of the tracking filter, 6 when all is well"),
+    QT_TRANSLATE_NOOP("Phrases", "least squares"),
+    QT_TRANSLATE_NOOP("Phrases", "tracking filter"),
     // catalogue: what signals and parameters are
     QT_TRANSLATE_NOOP("Phrases", "Rotor angle, unwrapped"),
     QT_TRANSLATE_NOOP("Phrases", "Rotor speed, slope over 32 ms"),

@@ -14,6 +14,7 @@
 #include "devices/firmware/board/hb_board.h"
 #include "devices/firmware/control/hb_reference.h"
 #include "devices/firmware/planar/hb_planar_law.h"
+#include "devices/firmware/planar/hb_planar_tracker.h"
 #include "devices/firmware/planar/hb_planar_windings.h"
 
 #ifdef __cplusplus
@@ -63,6 +64,7 @@ typedef struct {
     float centre_x_m, centre_y_m; /* centre of mass in platen axes */
     hb_planar_coils coils;
     float allocation; /* HB_ALLOCATION_... */
+    float estimator;  /* 0: least squares and filtered difference, 1: tracking filter */
     float speed_filter_s;
     float limit_current_A, limit_temperature_degC, limit_lift_N;
     float window_position[HB_AXES], window_position_enabled;
@@ -89,7 +91,7 @@ typedef struct {
     float current_A[HB_COILS];
     float field_T[HB_CHIP_FIELDS]; /* as read, not corrected */
     float temperature_degC[HB_COILS];
-    float chi_square, current_scale, lift_N;
+    float chi_square, innovation_square, current_scale, lift_N;
     int16_t cell[2];  /* pitches from the start */
     uint8_t left_out; /* bit j: chip j + 1 is not used */
     uint8_t homed;
@@ -105,6 +107,7 @@ typedef struct hb_planar {
     hb_planar_live live;
     hb_planar_signals signals;
     hb_planar_hardware hardware;
+    hb_tracker tracker;
     hb_reference reference[HB_AXES];
     float integral[HB_AXES];
     float origin[HB_AXES];     /* pose where the mode began */

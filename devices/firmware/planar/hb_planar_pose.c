@@ -91,9 +91,8 @@ uint8_t hb_pose_start(const hb_chips* chips, float pitch_m, const float field_T[
     return has_both;
 }
 
-/* Adds one chip: derivative by x, y and lever times phi, and what the model does not explain. */
-static void addChip(const hb_chips* chips, float wave_1_m, const float field_T[HB_CHIP_FIELDS],
-                    const hb_pose* pose, uint8_t chip, normal_equations* normal) {
+hb_chip_model hb_chip_model_at(const hb_chips* chips, float pitch_m, const hb_pose* pose, uint8_t chip) {
+    float wave_1_m = HB_TWO_PI / pitch_m;
     float c = cosf(pose->phi_rad);
     float s = sinf(pose->phi_rad);
     float amplitude_T = chips->amplitude_T[chip];
@@ -105,23 +104,31 @@ static void addChip(const hb_chips* chips, float wave_1_m, const float field_T[H
     float by = amplitude_T * sinf(phase_y);
     float slope_x = wave_1_m * amplitude_T * cosf(phase_x);
     float slope_y = wave_1_m * amplitude_T * cosf(phase_y);
-    float model[2];
-    float slope[2][3];
-    model[0] = bx * c + by * s;
-    model[1] = by * c - bx * s;
-    slope[0][0] = slope_x * c;
-    slope[0][1] = slope_y * s;
-    slope[0][2] = (slope_y * arm_x * s - slope_x * arm_y * c + model[1]) / HB_POSE_LEVER_M;
-    slope[1][0] = -slope_x * s;
-    slope[1][1] = slope_y * c;
-    slope[1][2] = (slope_x * arm_y * s + slope_y * arm_x * c - model[0]) / HB_POSE_LEVER_M;
+    hb_chip_model model;
+    model.field_T[0] = bx * c + by * s;
+    model.field_T[1] = by * c - bx * s;
+    model.slope[0][0] = slope_x * c;
+    model.slope[0][1] = slope_y * s;
+    model.slope[0][2] = slope_y * arm_x * s - slope_x * arm_y * c + model.field_T[1];
+    model.slope[1][0] = -slope_x * s;
+    model.slope[1][1] = slope_y * c;
+    model.slope[1][2] = slope_x * arm_y * s + slope_y * arm_x * c - model.field_T[0];
+    return model;
+}
+
+/* Adds one chip; the angle counts as a length. */
+static void addChip(const hb_chips* chips, float pitch_m, const float field_T[HB_CHIP_FIELDS],
+                    const hb_pose* pose, uint8_t chip, normal_equations* normal) {
+    hb_chip_model model = hb_chip_model_at(chips, pitch_m, pose, chip);
+    model.slope[0][2] /= HB_POSE_LEVER_M;
+    model.slope[1][2] /= HB_POSE_LEVER_M;
     for (uint8_t axis = 0; axis < 2; axis++) {
-        float residual = field_T[2 * chip + axis] - model[axis];
+        float residual = field_T[2 * chip + axis] - model.field_T[axis];
         normal->square_T2 += residual * residual;
         for (uint8_t i = 0; i < 3; i++) {
-            normal->right[i] += slope[axis][i] * residual;
+            normal->right[i] += model.slope[axis][i] * residual;
             for (uint8_t k = 0; k < 3; k++) {
-                normal->matrix[i][k] += slope[axis][i] * slope[axis][k];
+                normal->matrix[i][k] += model.slope[axis][i] * model.slope[axis][k];
             }
         }
     }
@@ -170,8 +177,7 @@ static float largestAmplitude_T(const hb_chips* chips) {
 
 hb_pose_estimate hb_pose_fit(const hb_chips* chips, float pitch_m, const float field_T[HB_CHIP_FIELDS],
                              const hb_pose* start, uint8_t used) {
-    float wave_1_m = HB_TWO_PI / pitch_m;
-    float slope = wave_1_m * largestAmplitude_T(chips);
+    float slope = HB_TWO_PI / pitch_m * largestAmplitude_T(chips);
     hb_pose_estimate estimate;
     estimate.pose = *start;
     estimate.chi_square = 0.0F;
@@ -183,7 +189,7 @@ hb_pose_estimate hb_pose_fit(const hb_chips* chips, float pitch_m, const float f
         memset(&normal, 0, sizeof normal);
         for (uint8_t j = 0; j < HB_CHIPS; j++) {
             if (isUsed(used, j)) {
-                addChip(chips, wave_1_m, field_T, &estimate.pose, j, &normal);
+                addChip(chips, pitch_m, field_T, &estimate.pose, j, &normal);
             }
         }
         estimate.chi_square = normal.square_T2 / (chips->deviation_T * chips->deviation_T);

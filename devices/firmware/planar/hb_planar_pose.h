@@ -54,6 +54,13 @@ typedef struct {
     uint8_t used; /* bit j: chip j */
 } hb_checked_pose;
 
+/* What a chip should see at a pose, and the derivative by x, y (T/m) and phi (T/rad). */
+typedef struct {
+    float field_T[2];
+    float slope[2][3];
+} hb_chip_model;
+hb_chip_model hb_chip_model_at(const hb_chips* chips, float pitch_m, const hb_pose* pose, uint8_t chip);
+
 /* The fields behind the readings, in place. */
 void hb_chips_correct(const hb_chips* chips, float field_T[HB_CHIP_FIELDS], const float current_A[HB_COILS]);
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
+#include "devices/firmware/control/hb_constants.h"
 #include "devices/firmware/planar/hb_planar_internal.h"
 
 #include <math.h>
+#include <string.h>
 
 #define JUMP_M 0.5e-3F
 #define TICK_S (0.001F * HB_TICK_MS)
@@ -76,6 +78,40 @@ static hb_pose predictedPose(const hb_planar* planar) {
     return pose;
 }
 
+/* Under the currents that flowed since the tick before, about the centre of mass. */
+static void predictMotion(hb_planar* planar, const hb_planar_calibration* page) {
+    hb_pose pose = lastPose(planar);
+    hb_wrench wrench = hb_planar_wrench(&page->coils, &pose, planar->flowing_A);
+    float c = cosf(pose.phi_rad);
+    float s = sinf(pose.phi_rad);
+    float arm_x = c * page->centre_x_m - s * page->centre_y_m;
+    float arm_y = s * page->centre_x_m + c * page->centre_y_m;
+    float acceleration[HB_AXES];
+    acceleration[0] = wrench.x_N / page->mass_kg;
+    acceleration[1] = wrench.y_N / page->mass_kg;
+    acceleration[2] = (wrench.torque_Nm - arm_x * wrench.y_N + arm_y * wrench.x_N) / page->inertia_kg_m2;
+    hb_tracker_predict(&planar->tracker, acceleration);
+}
+
+/* The pose that least squares found starts the filter and proves the readings; then the filter is believed.
+ */
+static void track(hb_planar* planar, const hb_planar_calibration* page, const float field_T[HB_CHIP_FIELDS],
+                  const hb_checked_pose* found) {
+    hb_planar_signals* signals = &planar->signals;
+    if (!planar->has_pose || !planar->tracker.is_started) {
+        /* Of a reading: deviation over the largest slope, with room for a bad place. */
+        float deviation_m =
+            3.0F * page->chips.deviation_T * page->coils.pitch_m / (HB_TWO_PI * page->chips.amplitude_T[0]);
+        hb_tracker_start(&planar->tracker, &found->estimate.pose, deviation_m);
+    } else {
+        predictMotion(planar, page);
+        signals->innovation_square =
+            hb_tracker_update(&planar->tracker, &page->chips, page->coils.pitch_m, field_T, found->used);
+    }
+    memcpy(signals->position, planar->tracker.mean, sizeof signals->position);
+    memcpy(signals->speed, &planar->tracker.mean[HB_AXES], sizeof signals->speed);
+}
+
 /* New pose and filtered difference: v <- D v + (1 - D)(q_k - q_k-1)/Ts, D = exp(-Ts/Tf). */
 static void publishPose(hb_planar* planar, const hb_planar_calibration* page, const hb_pose* pose) {
     hb_planar_signals* signals = &planar->signals;
@@ -86,9 +122,8 @@ static void publishPose(hb_planar* planar, const hb_planar_calibration* page, co
         signals->speed[i] = planar->has_pose ? kept * signals->speed[i] + (1.0F - kept) * speed : 0.0F;
         signals->position[i] = next[i];
     }
-    signals->cell[0] = (int16_t)roundf(pose->x_m / page->coils.pitch_m);
-    signals->cell[1] = (int16_t)roundf(pose->y_m / page->coils.pitch_m);
-    planar->has_pose = 1;
+    planar->tracker.is_started = 0;
+    signals->innovation_square = 0.0F;
 }
 
 static uint8_t findPose(hb_planar* planar, const hb_planar_calibration* page, uint8_t trusted) {
@@ -113,7 +148,14 @@ static uint8_t findPose(hb_planar* planar, const hb_planar_calibration* page, ui
         planar->signals.left_out = HB_ALL_CHIPS;
         return HB_FAULT_SENSOR_RANGE;
     }
-    publishPose(planar, page, &found.estimate.pose);
+    if (isOn(page->estimator)) {
+        track(planar, page, field_T, &found);
+    } else {
+        publishPose(planar, page, &found.estimate.pose);
+    }
+    planar->signals.cell[0] = (int16_t)roundf(planar->signals.position[0] / page->coils.pitch_m);
+    planar->signals.cell[1] = (int16_t)roundf(planar->signals.position[1] / page->coils.pitch_m);
+    planar->has_pose = 1;
     return HB_FAULT_NONE;
 }
 
@@ -122,6 +164,7 @@ static void home(hb_planar* planar, const hb_planar_calibration* page) {
     hb_planar_signals* signals = &planar->signals;
     if (planar->live.home && planar->has_pose && !hb_board_is_driving(&planar->board)) {
         for (uint8_t i = 0; i < 2; i++) {
+            planar->tracker.mean[i] -= page->coils.pitch_m * (float)signals->cell[i];
             signals->position[i] -= page->coils.pitch_m * (float)signals->cell[i];
             signals->cell[i] = 0;
         }

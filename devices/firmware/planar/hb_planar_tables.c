@@ -14,6 +14,7 @@ static hb_rom_char OffOn[] = HB_SWITCH_CHOICES;
 static hb_rom_char NoYes[] = "no|yes";
 static hb_rom_char ModeChoices[] = "idle|coil currents|position|wrench";
 static hb_rom_char AllocationChoices[] = "set by set|heading, fundamental|heading, all harmonics";
+static hb_rom_char EstimatorChoices[] = "least squares|tracking filter";
 static hb_rom_char DelayChoices[] = "none|one sample|two samples";
 static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine";
 
@@ -53,6 +54,8 @@ static const hb_signal Signals[] HB_ROM = {
     HEAT("coil_temperature.coil6", 6),
     SIGNAL("lift", "N", lift_N, 100.0F, "Vertical force of the coils, upward"),
     SIGNAL("chi_square", "", chi_square, 1.0e9F, "Squared residuals of the readings over their deviation"),
+    SIGNAL("innovation_square", "", innovation_square, 1.0e9F,
+           "Squared innovation of the tracking filter, 6 when all is well"),
     SIGNAL("current_scale", "", current_scale, 1.0F, "Below 1: currents at their limit"),
     HB_SIGNAL("cell.x", "", HB_SWORD, hb_planar_signals, cell[0], 1.0F, -100.0F, 100.0F, NULL,
               "Pitches from the first cell along x"),
@@ -135,6 +138,8 @@ static const hb_parameter Parameters[] HB_ROM = {
     PAGED("coil.arm", "m", coils.arm56_m, 0.0444F, 0.0F, 0.5F, NULL, "Place of coils 5 and 6 along y'"),
     PAGED("coil.allocation", "", allocation, 0.0F, 0.0F, 2.0F, AllocationChoices,
           "From the wrench to the currents"),
+    PAGED("speed.estimator", "", estimator, 0.0F, 0.0F, 1.0F, EstimatorChoices,
+          "Pose and speed from the readings"),
     PAGED("speed.filter", "s", speed_filter_s, 2.0e-3F, 0.0F, 0.1F, NULL, "Time constant of the speeds"),
     PAGED("limit.current", "A", limit_current_A, 1.0F, 0.0F, 5.0F, NULL, "Largest current of a coil"),
     PAGED("limit.temperature", "degC", limit_temperature_degC, 80.0F, -40.0F, 100.0F, NULL,

@@ -60,6 +60,30 @@ TEST(PlanarNoise, atRestIsThatOfTheTheory) {
     EXPECT_EQ(planar.signal("chips_left_out"), 0.0);
 }
 
+TEST(PlanarNoise, theTrackingFilterShowsLessOfIt) {
+    // The estimate shows 3.3 to 4.0 um and 50 to 60 urad; innovations are consistent at 5.3 to 6.5.
+    Noisy planar;
+    planar.set("speed.estimator", 1.0);
+    planar.wait(1.0);
+    for (const char* axis : {"position.x", "position.y"}) {
+        const double rms_m = rmsOf(planar.samples(axis, 3.0));
+        EXPECT_GT(rms_m, 0.8 * 3.3e-6) << axis;
+        EXPECT_LT(rms_m, 1.2 * 4.0e-6) << axis;
+    }
+    const double rms_rad = rmsOf(planar.samples("position.phi", 3.0));
+    EXPECT_GT(rms_rad, 0.8 * 50e-6);
+    EXPECT_LT(rms_rad, 1.2 * 60e-6);
+    const double innovation = meanOf(planar.samples("innovation_square", 3.0));
+    EXPECT_GT(innovation, 5.3);
+    EXPECT_LT(innovation, 6.5);
+    planar.set("hb.setpoint.y", 1e-3);
+    planar.wait(2.0);
+    EXPECT_NEAR(planar.signal("truth.position.y"), -6.35e-3 + 1e-3, 10e-6);
+    planar.set("speed.estimator", 0.0); // while it drives
+    planar.wait(0.5);
+    EXPECT_NEAR(planar.signal("truth.position.y"), -6.35e-3 + 1e-3, 10e-6);
+}
+
 TEST(PlanarNoise, aStepInYDisturbsTheOtherAxesLittle) {
     Noisy planar; // figure 15
     const double x_m = planar.signal("truth.position.x");
