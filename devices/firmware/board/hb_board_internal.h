@@ -10,6 +10,8 @@ extern "C" {
 
 /* hb_board_state.c: arming and its opposite. */
 void hb_board_enter_mode(hb_board* board, uint8_t mode);
+/* Of an armed board; idle brakes or clears the outputs. */
+void hb_board_change_mode(hb_board* board, uint8_t mode);
 void hb_board_arm(hb_board* board);
 /* Every output and set-point to zero, or braking; what is latched stays latched. */
 void hb_board_release(hb_board* board);

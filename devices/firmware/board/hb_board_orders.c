@@ -145,7 +145,7 @@ static void parameterWritten(void* context, uint16_t parameter) {
         }
     } else if (offset == offsetof(hb_board_live, mode)) {
         if (board->safety.armed && board->live->mode != board->mode) {
-            hb_board_enter_mode(board, board->live->mode);
+            hb_board_change_mode(board, board->live->mode);
         }
     } else if (offset == offsetof(hb_board_live, stop)) {
         if (board->live->stop) {

@@ -33,7 +33,7 @@ static void clearOutputs(hb_board* board) {
 }
 
 /* `was_driving`: outputs may be other than zero, an actuator that glides has to brake. */
-static void endDriving(hb_board* board, uint8_t was_driving) {
+static void brakeOrClear(hb_board* board, uint8_t was_driving) {
 #if HB_FEATURE_BRAKE
     if (was_driving && hb_board_actuator(board)->brake) {
         board->brake_ticks = (uint16_t)(hb_board_actuator(board)->brake_ms / HB_TICK_MS);
@@ -45,12 +45,28 @@ static void endDriving(hb_board* board, uint8_t was_driving) {
     (void)was_driving;
     clearOutputs(board);
 #endif
+}
+
+static void endDriving(hb_board* board, uint8_t was_driving) {
+    brakeOrClear(board, was_driving);
     hb_board_enter_mode(board, HB_MODE_IDLE);
     board->live->arm = 0;
 }
 
 static uint8_t isArmedInAMode(const hb_board* board) {
     return board->safety.armed && board->mode != HB_MODE_IDLE;
+}
+
+void hb_board_change_mode(hb_board* board, uint8_t mode) {
+    if (mode == HB_MODE_IDLE) {
+        brakeOrClear(board, isArmedInAMode(board));
+    }
+#if HB_FEATURE_BRAKE
+    else {
+        board->brake_ticks = 0;
+    }
+#endif
+    hb_board_enter_mode(board, mode);
 }
 
 void hb_board_release(hb_board* board) {

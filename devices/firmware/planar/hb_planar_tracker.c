@@ -92,9 +92,10 @@ static float take(hb_tracker* tracker, const hb_chip_model* model, uint8_t axis,
 
 float hb_tracker_update(hb_tracker* tracker, const hb_chips* chips, float pitch_m,
                         const float field_T[HB_CHIP_FIELDS], uint8_t used) {
-    float moved[HB_TRACKER_STATES] = {0.0F};
+    float moved[HB_TRACKER_STATES];
     float chi_square = 0.0F;
     hb_pose pose;
+    memset(moved, 0, sizeof moved);
     pose.x_m = tracker->mean[0];
     pose.y_m = tracker->mean[1];
     pose.phi_rad = tracker->mean[2];

@@ -236,6 +236,20 @@ TEST(BoardSafety, brakesAfterFaultsThatLeaveTheSensorsGoodAndAfterNoOther) {
     EXPECT_EQ(blind.current_A(), 0.0F);
 }
 
+TEST(BoardSafety, modeIdleBrakesWhileTheBoardStaysArmed) {
+    Bench bench(brakingForEver(300));
+    bench.start();
+    EXPECT_EQ(bench.write(offsetof(toy_live, board.mode), HB_MODE_IDLE), Accepted);
+    bench.tick(300);
+    EXPECT_EQ(bench.current_A(), -Demand_A);
+    bench.tick();
+    EXPECT_EQ(bench.current_A(), 0.0F);
+    EXPECT_EQ(bench.toy().signals.board.status, HB_STATUS_ARMED);
+    EXPECT_EQ(bench.write(offsetof(toy_live, board.mode), TOY_MODE_CURRENT), Accepted);
+    bench.tick();
+    EXPECT_EQ(bench.current_A(), Demand_A);
+}
+
 TEST(BoardSafety, anActuatorAtRestDoesNotBrake) {
     Bench bench(brakingForEver(300));
     bench.tick();
