@@ -1,0 +1,393 @@
+#include "models/spherical/placement_search.h"
+
+#include "control/base/units.h"
+#include "models/spherical/difference_function.h"
+#include "models/spherical/placement_pairs.h"
+#include "models/spherical/tensor_rotation.h"
+#include "models/spherical/tensor_system.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace halbench::models {
+namespace {
+
+using Information = Eigen::Matrix<double, 5, 5>;
+
+/// Poses for the predicted error: it varies little, +-15 % over the workspace.
+constexpr double ErrorStep_rad = 22.5 * Pi / 180.0;
+constexpr double ReadingStep_rad = 2.5 * Pi / 180.0;
+
+struct Candidate {
+    PlacementAngles angles;
+    SensorPose pose;
+    Information information; ///< H^T H of this sensor alone
+};
+
+Information informationOf(const SensorPose& pose) {
+    Eigen::Matrix<double, 3, 5> design;
+    for (int k = 0; k < 5; ++k) {
+        design.col(k) =
+            pose.axes.transpose() * tensorField_T(tensorOf(TensorVector::Unit(k)), 0.05, pose.position_m);
+    }
+    return design.transpose() * design;
+}
+
+bool isInRegion(const PlacementConstraints& constraints, const Eigen::Vector3d& position) {
+    constexpr double Slack = 1e-9; // lattice angles are rounded
+    const double theta = std::atan2(std::hypot(position.x(), position.y()), position.z());
+    const double phi = std::atan2(position.y(), position.x());
+    return theta >= constraints.lowestTheta_rad - Slack && theta <= constraints.highestTheta_rad + Slack &&
+           phi >= constraints.lowestPhi_rad - Slack && phi <= constraints.highestPhi_rad + Slack;
+}
+
+double largestReading_T(const PlacedSensor& sensor) {
+    const PoseGrid grid = workspaceGrid(7.5 * Pi / 180.0);
+    double largest_T = 0.0;
+    for (int a = 0; a < grid.alpha.count; ++a) {
+        for (int b = 0; b < grid.beta.count; ++b) {
+            const SensorSpin spin = sensor.spin(PlacedSensor::tiltOf(grid.alpha.at(a), grid.beta.at(b)));
+            // Amplitude over the spin, which takes a whole period.
+            const Eigen::Vector3d square = spin.cosine_T.cwiseAbs2() + spin.sine_T.cwiseAbs2();
+            largest_T = std::fmax(largest_T, std::sqrt(square.maxCoeff()));
+        }
+    }
+    return largest_T;
+}
+
+/// The parts of a search that do not change.
+class Search {
+public:
+    Search(const PlacementSearchConfig& config, const WorkControl& control)
+        : m_config(config), m_control(control),
+          m_main(sensorPose(Eigen::Matrix3d::Identity(), config.device.radius_m)),
+          m_mainInformation(informationOf(m_main)) {
+        const PoseGrid poses = workspaceGrid(ErrorStep_rad);
+        for (int a = 0; a < poses.alpha.count; ++a) {
+            for (int b = 0; b < poses.beta.count; ++b) {
+                for (int g = 0; g < poses.gamma.count; ++g) {
+                    m_turns.push_back(unitTensorDerivative(
+                        rotationOf({poses.alpha.at(a), poses.beta.at(b), poses.gamma.at(g)})));
+                }
+            }
+        }
+    }
+
+    void collectCandidates() {
+        const PoseGrid lattice = placementLattice(m_config.latticeStep_rad);
+        const PlacementConstraints& constraints = m_config.constraints;
+        for (std::size_t i = 0; i < lattice.size(); ++i) {
+            const PlacementAngles angles = placementAt(lattice, i);
+            const SensorPose pose =
+                sensorPose(placementRotation(angles, m_config.device.frames), m_config.device.radius_m);
+            const bool isApart = (pose.position_m - m_main.position_m).norm() >= constraints.leastDistance_m;
+            if (!isInRegion(constraints, pose.position_m) || !isApart) {
+                continue;
+            }
+            if (constraints.sensorRange_T &&
+                largestReading_T(PlacedSensor(m_config.device, angles)) > *constraints.sensorRange_T) {
+                continue;
+            }
+            m_candidates.push_back({angles, pose, informationOf(pose)});
+        }
+    }
+
+    const std::vector<Candidate>& candidates() const { return m_candidates; }
+
+    Result<std::vector<PlacementPair>> byReading() const {
+        std::vector<PlacementAngles> angles;
+        for (const Candidate& candidate : m_candidates) {
+            angles.push_back(candidate.angles);
+        }
+        return pairsByLeastReading(
+            m_config.device, angles, [this](std::size_t i, std::size_t j) { return areApart(i, j); },
+            m_config.finalists, m_control);
+    }
+
+    /// The best pairs of places by a criterion that no roll about the radius changes; smaller is better.
+    Result<std::vector<PlacementPair>> byPlace(PlacementObjective objective) const {
+        const std::vector<std::size_t> places = distinctPlaces();
+        std::vector<std::vector<PlacementPair>> rows(places.size());
+        const auto worked = forEachInParallel(places.size(), m_control, [&](std::size_t a) {
+            for (std::size_t b = a + 1; b < places.size(); ++b) {
+                const std::size_t i = places[a];
+                const std::size_t j = places[b];
+                if (areApart(i, j)) {
+                    rows[a].push_back({i, j, criterion(objective, i, j)});
+                }
+            }
+            keepSmallest(rows[a]);
+        });
+        if (!worked) {
+            return failure(worked.error());
+        }
+        std::vector<PlacementPair> pairs;
+        for (const auto& row : rows) {
+            pairs.insert(pairs.end(), row.begin(), row.end());
+        }
+        keepSmallest(pairs);
+        return pairs;
+    }
+
+    PlacementResult assess(const PlacementPair& pair) const {
+        return assessPlacement(
+            m_config.device,
+            {PlacementAngles{}, m_candidates[pair.first].angles, m_candidates[pair.second].angles},
+            m_config.noise_T);
+    }
+
+private:
+    bool areApart(std::size_t i, std::size_t j) const {
+        return (m_candidates[i].pose.position_m - m_candidates[j].pose.position_m).norm() >=
+               m_config.constraints.leastDistance_m;
+    }
+
+    std::vector<std::size_t> distinctPlaces() const {
+        std::map<std::array<long, 3>, std::size_t> seen;
+        for (std::size_t i = 0; i < m_candidates.size(); ++i) {
+            std::array<long, 3> key{};
+            for (std::size_t k = 0; k < 3; ++k) {
+                key[k] = std::lround(1e8 * m_candidates[i].pose.position_m[static_cast<Eigen::Index>(k)]);
+            }
+            // Of the rolls at one place the one without da stands for all.
+            const auto [at, isNew] = seen.try_emplace(key, i);
+            if (!isNew && std::abs(m_candidates[i].angles.alpha_rad) <
+                              std::abs(m_candidates[at->second].angles.alpha_rad)) {
+                at->second = i;
+            }
+        }
+        std::vector<std::size_t> places;
+        for (const auto& [key, index] : seen) {
+            places.push_back(index);
+        }
+        std::sort(places.begin(), places.end());
+        return places;
+    }
+
+    void keepSmallest(std::vector<PlacementPair>& pairs) const {
+        std::sort(pairs.begin(), pairs.end(), [](const PlacementPair& a, const PlacementPair& b) {
+            return a.value != b.value ? a.value < b.value
+                                      : std::pair(a.first, a.second) < std::pair(b.first, b.second);
+        });
+        pairs.resize(std::min(pairs.size(), m_config.finalists));
+    }
+
+    double criterion(PlacementObjective objective, std::size_t i, std::size_t j) const {
+        const Information whole =
+            m_mainInformation + m_candidates[i].information + m_candidates[j].information;
+        if (objective == PlacementObjective::Conditioning) {
+            const Eigen::SelfAdjointEigenSolver<Information> eigen(whole, Eigen::EigenvaluesOnly);
+            return eigen.eigenvalues()[4] / std::fmax(eigen.eigenvalues()[0], 1e-12);
+        }
+        double sum = 0.0;
+        for (const Eigen::Matrix<double, 5, 3>& turn : m_turns) {
+            const Eigen::Matrix3d normal = turn.transpose() * whole * turn;
+            sum += normal.inverse().trace();
+        }
+        return sum;
+    }
+
+    const PlacementSearchConfig& m_config;
+    const WorkControl& m_control;
+    SensorPose m_main;
+    Information m_mainInformation;
+    std::vector<Eigen::Matrix<double, 5, 3>> m_turns;
+    std::vector<Candidate> m_candidates;
+};
+
+double worstComponent_T(const CoverageModel& model, const Eigen::Vector3d& pose) {
+    return coverageValue(model, CoverageQuantity::LeastComponent_T, 0.0, {pose[0], pose[1], pose[2]});
+}
+
+/// Compass search from a grid pose within the workspace: steps along the axes and the diagonals, halved when
+/// none improves. The function is a largest of magnitudes and has edges.
+double descended_T(const CoverageModel& model, Eigen::Vector3d pose) {
+    const Eigen::Vector3d border(0.25 * Pi, 0.25 * Pi, 0.5 * Pi);
+    double least_T = worstComponent_T(model, pose);
+    for (double step_rad = 0.5 * ReadingStep_rad; step_rad > 1e-4;) {
+        bool isBetter = false;
+        for (int direction = 0; direction < 27 && !isBetter; ++direction) {
+            const Eigen::Vector3d way(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
+            const Eigen::Vector3d next = (pose + step_rad * way).cwiseMax(-border).cwiseMin(border);
+            const double value_T = worstComponent_T(model, next);
+            if (value_T < least_T) {
+                least_T = value_T;
+                pose = next;
+                isBetter = true;
+            }
+        }
+        step_rad = isBetter ? step_rad : 0.5 * step_rad;
+    }
+    return least_T;
+}
+
+/// Least of a grid, refined from its lowest poses.
+double leastReading_T(const CoverageModel& model) {
+    constexpr std::size_t Starts = 12;
+    const PoseGrid grid = workspaceGrid(ReadingStep_rad);
+    std::vector<std::pair<double, Eigen::Vector3d>> lowest;
+    for (int a = 0; a < grid.alpha.count; ++a) {
+        for (int b = 0; b < grid.beta.count; ++b) {
+            const SpinReadings spin = model.spinReadings(grid.alpha.at(a), grid.beta.at(b));
+            for (int g = 0; g < grid.gamma.count; ++g) {
+                const double gamma_rad = grid.gamma.at(g);
+                const SphericalReadings readings_T =
+                    spin.at(std::cos(2.0 * gamma_rad), std::sin(2.0 * gamma_rad));
+                const double worst_T =
+                    std::min({largestOfComponent_T(readings_T, 0), largestOfComponent_T(readings_T, 1),
+                              largestOfComponent_T(readings_T, 2)});
+                if (lowest.size() < Starts || worst_T < lowest.back().first) {
+                    const auto at =
+                        std::upper_bound(lowest.begin(), lowest.end(), worst_T,
+                                         [](double value, const auto& one) { return value < one.first; });
+                    lowest.insert(at, {worst_T, {grid.alpha.at(a), grid.beta.at(b), gamma_rad}});
+                    lowest.resize(std::min(lowest.size(), Starts));
+                }
+            }
+        }
+    }
+    double least_T = HUGE_VAL;
+    for (const auto& [value_T, pose] : lowest) {
+        least_T = std::min(least_T, descended_T(model, pose));
+    }
+    return least_T;
+}
+
+bool isBetter(PlacementObjective objective, const PlacementResult& a, const PlacementResult& b) {
+    switch (objective) {
+    case PlacementObjective::Conditioning:
+        return a.conditioning < b.conditioning;
+    case PlacementObjective::PredictedError:
+        return a.deviation_rad < b.deviation_rad;
+    case PlacementObjective::LeastReading:
+        break;
+    }
+    return a.least_T > b.least_T;
+}
+
+bool dominates(const PlacementResult& a, const PlacementResult& b) {
+    const bool isNoWorse =
+        a.least_T >= b.least_T && a.conditioning <= b.conditioning && a.deviation_rad <= b.deviation_rad;
+    return isNoWorse &&
+           (a.least_T > b.least_T || a.conditioning < b.conditioning || a.deviation_rad < b.deviation_rad);
+}
+
+std::vector<PlacementResult> paretoOf(std::vector<PlacementResult> all) {
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.least_T > b.least_T; });
+    std::vector<PlacementResult> front;
+    for (const PlacementResult& one : all) {
+        const bool isBeaten = std::any_of(
+            all.begin(), all.end(), [&one](const PlacementResult& other) { return dominates(other, one); });
+        const bool isKnown = std::any_of(front.begin(), front.end(), [&one](const PlacementResult& other) {
+            // Mirror images differ in the last digits only.
+            return std::abs(other.least_T - one.least_T) < 1e-9 &&
+                   std::abs(other.conditioning - one.conditioning) < 1e-9;
+        });
+        if (!isBeaten && !isKnown) {
+            front.push_back(one);
+        }
+    }
+    return front;
+}
+
+Result<void> checkSearch(const PlacementSearchConfig& config) {
+    const double parts = 0.25 * Pi / config.latticeStep_rad;
+    if (!(config.latticeStep_rad >= Pi / 180.0) || std::abs(parts - std::round(parts)) > 1e-6) {
+        return failure(ErrorCode::OutOfRange,
+                       "The step of the placement lattice must divide 45 degrees and be at least 1 degree.");
+    }
+    if (config.device.device == SphericalDevice::Additive &&
+        config.objective != PlacementObjective::LeastReading) {
+        return failure(ErrorCode::OutOfRange, "The additive device has no tensor to condition.",
+                       "Use the objective reading, or the exact device.");
+    }
+    if (config.device.radius_m <= config.device.rotorRadius_m || config.device.strength_T <= 0.0 ||
+        config.noise_T <= 0.0 || config.finalists < 1) {
+        return failure(ErrorCode::OutOfRange,
+                       "A placement needs sensors outside the rotor, a positive strength and noise, and at "
+                       "least one finalist.");
+    }
+    return {};
+}
+
+} // namespace
+
+PlacementResult assessPlacement(const PlacementDevice& device, const SensorTriple& placement,
+                                double noise_T) {
+    const CoverageModel model = coverageModelOf(device, placement);
+    WorkControl alone;
+    alone.threads = 1;
+    PlacementResult result;
+    result.placement = placement;
+    result.least_T = leastReading_T(model);
+    const auto deviations = *coverageMap(model, CoverageQuantity::PredictedDeviation_rad, noise_T,
+                                         workspaceGrid(ErrorStep_rad), alone);
+    double square = 0.0;
+    for (const float deviation : deviations) {
+        square += static_cast<double>(deviation) * static_cast<double>(deviation);
+    }
+    result.deviation_rad = std::sqrt(square / static_cast<double>(deviations.size()));
+    if (device.device == SphericalDevice::Exact) {
+        SphericalSensing sensing;
+        sensing.poses = sensorPoses(placement, device.frames, device.radius_m);
+        result.conditioning = TensorSystem(sensing).conditioning();
+    }
+    return result;
+}
+
+Result<PlacementSearch> searchPlacement(const PlacementSearchConfig& config, const WorkControl& control) {
+    if (auto checked = checkSearch(config); !checked) {
+        return failure(checked.error());
+    }
+    Search search(config, control);
+    search.collectCandidates();
+    auto pairs = search.byReading();
+    if (!pairs) {
+        return failure(pairs.error());
+    }
+    if (config.device.device == SphericalDevice::Exact) {
+        for (const PlacementObjective objective :
+             {PlacementObjective::Conditioning, PlacementObjective::PredictedError}) {
+            const auto more = search.byPlace(objective);
+            if (!more) {
+                return failure(more.error());
+            }
+            pairs->insert(pairs->end(), more->begin(), more->end());
+        }
+    }
+    if (pairs->empty()) {
+        return failure(ErrorCode::OutOfRange, "The constraints leave no pair of places for the sensors.",
+                       "Widen the region, reduce the distance or raise the range of the sensor.");
+    }
+    std::vector<PlacementResult> results(pairs->size());
+    const auto worked = forEachInParallel(results.size(), control,
+                                          [&](std::size_t i) { results[i] = search.assess((*pairs)[i]); });
+    if (!worked) {
+        return failure(worked.error());
+    }
+    PlacementSearch found;
+    const std::uint64_t count = search.candidates().size();
+    found.pairs = count * (count - 1) / 2;
+    found.best = *std::min_element(results.begin(), results.end(), [&](const auto& a, const auto& b) {
+        return isBetter(config.objective, a, b);
+    });
+    found.pareto = paretoOf(std::move(results));
+    CoverageProofConfig proof;
+    proof.threshold_T = config.threshold_T;
+    proof.gap_T = 1e-4;
+    proof.cellLimit = 3000000;
+    auto proven = proveCoverage(coverageModelOf(config.device, found.best.placement), proof, control);
+    if (!proven) {
+        return failure(proven.error());
+    }
+    found.proof = *std::move(proven);
+    for (const ComponentProof& component : found.proof.component) {
+        found.best.least_T = std::min(found.best.least_T, component.least_T);
+    }
+    return found;
+}
+
+} // namespace halbench::models

@@ -1,0 +1,26 @@
+#include "models/spherical/placement_search.h"
+#include "tests/models/spherical/orientation_cases.h"
+
+#include <gtest/gtest.h>
+
+namespace halbench::models {
+namespace {
+
+TEST(PlacementLattice, bestOfFiveDegreesReachesTheKnownReadingAndIsProven) {
+    const PlacementSearch search = *searchPlacement({});
+    EXPECT_TRUE(search.proof.isProven());
+    EXPECT_GT(search.proof.bound_T(), 0.038);
+    EXPECT_GT(search.pairs, 80000000U);
+}
+
+TEST(PlacementLattice, additiveDeviceIsPlacedAsWellAsKnown) {
+    PlacementSearchConfig config;
+    config.device.device = SphericalDevice::Additive;
+    config.finalists = 2000; // the coarse poses tell less about it
+    const PlacementSearch search = *searchPlacement(config);
+    EXPECT_TRUE(search.proof.isProven());
+    EXPECT_GT(search.best.least_T, 0.0229 - 1e-4);
+}
+
+} // namespace
+} // namespace halbench::models
