@@ -1,3 +1,4 @@
+#include "control/assess/loop_reference.h"
 #include "control/assess/loop_replay.h"
 
 #include <gtest/gtest.h>

@@ -76,12 +76,12 @@ std::vector<double> delayedResponse(double step_rad, double duration_s, double l
                 {step + latency, {{double(outputs.dac_code[0]), double(outputs.dac_code[1])}, 0.0}});
             if (step == 0) { // armed between the first tick and the second, as by a master
                 board->live.board.mode = HB_MODE_POSITION;
-                hb_htm_arm(board.get());
+                hb_board_arm(&board->board);
                 board->live.board.watchdog_ms = 60000;
                 board->live.reference.shape = HB_SHAPE_STEP;
                 board->live.reference.amplitude = static_cast<float>(step_rad);
                 board->live.reference.duration_s = 100.0F;
-                board->reference_pending = 1;
+                board->board.reference_pending = 1;
             }
             if (board->reference.ticks == 1) {
                 origin = board->signals.position;
