@@ -64,7 +64,7 @@ MovedMotors shapedMotors(const std::vector<PositionPlant>& plants, const LawEqua
 }
 
 Result<LawEquation<double>> checkedEquation(const std::vector<PositionPlant>& motors, const ShapedLaw& law,
-                                       const LoopTiming& timing) {
+                                            const LoopTiming& timing) {
     if (const auto valid = checkTiming(timing); !valid) {
         return failure(valid.error());
     }

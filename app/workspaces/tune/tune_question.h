@@ -12,10 +12,10 @@ namespace halbench::app {
 /// Everything a prediction depends on; asked from the window, answered by a worker.
 struct TuneQuestion {
     MotorEstimate motor;
-    TuneConfig config;                           ///< its method names the gains when `law` is given
-    std::optional<LoopLaw> law;                  ///< gains to judge; none: the method designs them
-    std::optional<LoopLaw> present; ///< gains on the device, drawn beside them
-    std::shared_ptr<const WhatIfBasis> record;   ///< a measured move, to be replayed through the gains
+    TuneConfig config;                         ///< its method names the gains when `law` is given
+    std::optional<LoopLaw> law;                ///< gains to judge; none: the method designs them
+    std::optional<LoopLaw> present;            ///< gains on the device, drawn beside them
+    std::shared_ptr<const WhatIfBasis> record; ///< a measured move, to be replayed through the gains
     SteadyPrediction known = {}; ///< of an answer before; what is not of this question is not read
 };
 

@@ -11,8 +11,8 @@
  *         + (|r'| < stiction_speed and |e| > stiction_threshold) stiction sgn(e),   e = r - psi
  *   u_sat = clamp(u, +-limit);   if ((u = u_sat and the actuator has room) or e u < 0)  x <- x + Ts Ki e
  *
- * b and c are the set-point weights: of a smooth reference the derivative knows the speed r' whatever c is, of
- * a jump it sees the share c. F is a series of second-order sections in the shift d = z - 1, in which slow
+ * b and c are the set-point weights: of a smooth reference the derivative knows the speed r' whatever c is,
+ * of a jump it sees the share c. F is a series of second-order sections in the shift d = z - 1, in which slow
  * filters keep their digits in single precision:
  *
  *   (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2)

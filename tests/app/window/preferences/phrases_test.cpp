@@ -4,7 +4,7 @@
 #include "control/base/units.h"
 #include "control/design/design_methods.h"
 #include "devices/open/open_device.h"
-#include "devices/simulated/simulated_model.h"
+#include "devices/simulated/registry/simulated_models.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/language/phrasebook.h"
 

@@ -1,5 +1,6 @@
 #include "app/procedures/move/move_procedure.h"
 #include "control/base/units.h"
+#include "devices/firmware/board/hb_board_internal.h"
 #include "devices/firmware/htm/hb_htm_internal.h"
 #include "devices/open/open_device.h"
 #include "tests/devices/firmware/avr/avr_fixture.h"
