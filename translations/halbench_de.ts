@@ -6731,24 +6731,8 @@
         <translation>„units“ nennt „{}“, was dieses [[plot]] nicht zeigt</translation>
     </message>
     <message>
-        <source>the board&apos;s law has no set-point weights and no filters: this loop is judged and cannot be applied</source>
-        <translation>das Regelgesetz des Steuergeräts hat keine Sollwertgewichte und keine Filter: Dieser Kreis wird beurteilt und kann nicht übernommen werden</translation>
-    </message>
-    <message>
         <source>leave it out to use these gains; weights and filters are judged by &apos;halbench analyse&apos; and &apos;halbench tune --gains&apos;</source>
         <translation>lassen Sie es weg, um diese Verstärkungen zu verwenden; Gewichte und Filter beurteilen &apos;halbench analyse&apos; und &apos;halbench tune --gains&apos;</translation>
-    </message>
-    <message>
-        <source>write its law as C code for a controller that has them, or leave them out</source>
-        <translation>schreiben Sie sein Gesetz als C für einen Regler, der sie hat, oder lassen Sie sie weg</translation>
-    </message>
-    <message>
-        <source>a recorded move is replayed through the board&apos;s law, which has no set-point weights and no filters</source>
-        <translation>eine aufgezeichnete Bewegung wird durch das Gesetz des Steuergeräts abgespielt, das keine Sollwertgewichte und keine Filter hat</translation>
-    </message>
-    <message>
-        <source>leave them out of the gains to ask what if</source>
-        <translation>lassen Sie sie aus den Reglerparametern weg, um zu fragen, was wäre wenn</translation>
     </message>
     <message>
         <source>&apos;{}&apos; must be a whole number from 1 to {}</source>
@@ -7089,6 +7073,462 @@
     <message>
         <source>the motion does not tell the forces apart</source>
         <translation>die Bewegung unterscheidet die Kräfte nicht</translation>
+    </message>
+    <message>
+        <source>a coefficient of a filter is not a finite number</source>
+        <translation>ein Koeffizient eines Filters ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the filter with a1 = {}, a2 = {} is not stable</source>
+        <translation>das Filter mit a1 = {}, a2 = {} ist nicht stabil</translation>
+    </message>
+    <message>
+        <source>a section is given as it is sampled</source>
+        <translation>ein Glied 2. Ordnung wird in abgetasteter Form angegeben</translation>
+    </message>
+    <message>
+        <source>A number of the grid of poses is not finite.</source>
+        <translation>Eine Zahl des Posengitters ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>The grid of poses is empty.</source>
+        <translation>Das Posengitter ist leer.</translation>
+    </message>
+    <message>
+        <source>The grid has more than 200 million poses.</source>
+        <translation>Das Gitter hat mehr als 200 Millionen Posen.</translation>
+    </message>
+    <message>
+        <source>Make its step larger.</source>
+        <translation>Vergrößern Sie seine Schrittweite.</translation>
+    </message>
+    <message>
+        <source>The proof of the coverage was stopped.</source>
+        <translation>Der Nachweis der Abdeckung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The box of the coverage proof is empty or its cells too small.</source>
+        <translation>Der Bereich des Abdeckungsnachweises ist leer, oder seine Zellen sind zu klein.</translation>
+    </message>
+    <message>
+        <source>The claimed placement is not on the lattice.</source>
+        <translation>Die angegebene Anordnung liegt nicht auf dem Gitter.</translation>
+    </message>
+    <message>
+        <source>The estimator needs harmonic passes of at least 0, at least one iteration and a positive limit of chi-square.</source>
+        <translation>Der Schätzer braucht mindestens 0 Durchgänge für die Kugelflächenfunktionen, mindestens eine Iteration und eine positive Grenze für Chi-Quadrat.</translation>
+    </message>
+    <message>
+        <source>The sensors do not determine the field of the rotor.</source>
+        <translation>Die Sensoren bestimmen das Feld des Läufers nicht.</translation>
+    </message>
+    <message>
+        <source>Two of them need directions that differ and are not opposite.</source>
+        <translation>Zwei von ihnen brauchen Richtungen, die verschieden und nicht entgegengesetzt sind.</translation>
+    </message>
+    <message>
+        <source>The computation was stopped.</source>
+        <translation>Die Berechnung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>A number of the rotor&apos;s motion is not finite.</source>
+        <translation>Eine Zahl der Läuferbewegung ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>The rotor&apos;s motion needs a positive rate, sample time and tilt of at most 180 degrees.</source>
+        <translation>Die Läuferbewegung braucht eine positive Drehrate, eine positive Abtastzeit und eine positive Neigung von höchstens 180 Grad.</translation>
+    </message>
+    <message>
+        <source>The table of poses is empty.</source>
+        <translation>Die Posentabelle ist leer.</translation>
+    </message>
+    <message>
+        <source>Row {}</source>
+        <translation>Zeile {}</translation>
+    </message>
+    <message>
+        <source>{} of the table of poses is not finite.</source>
+        <translation>{} der Posentabelle ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>The time in row {}</source>
+        <translation>Die Zeit in Zeile {}</translation>
+    </message>
+    <message>
+        <source>{} of the table of poses does not rise.</source>
+        <translation>{} der Posentabelle steigt nicht an.</translation>
+    </message>
+    <message>
+        <source>gain error of sensor </source>
+        <translation>Verstärkungsfehler von Sensor </translation>
+    </message>
+    <message>
+        <source>; drawn</source>
+        <translation>; gezogen</translation>
+    </message>
+    <message>
+        <source>offset of sensor </source>
+        <translation>Offset von Sensor </translation>
+    </message>
+    <message>
+        <source>mounting error of sensor </source>
+        <translation>Einbaufehler von Sensor </translation>
+    </message>
+    <message>
+        <source> about stator </source>
+        <translation> um die Statorachse </translation>
+    </message>
+    <message>
+        <source>place error of sensor </source>
+        <translation>Lagefehler von Sensor </translation>
+    </message>
+    <message>
+        <source> along stator </source>
+        <translation> entlang der Statorachse </translation>
+    </message>
+    <message>
+        <source>placement of sensor </source>
+        <translation>Anordnung von Sensor </translation>
+    </message>
+    <message>
+        <source> about X</source>
+        <translation> um X</translation>
+    </message>
+    <message>
+        <source> about Y</source>
+        <translation> um Y</translation>
+    </message>
+    <message>
+        <source> about Z</source>
+        <translation> um Z</translation>
+    </message>
+    <message>
+        <source>channel R of sensor </source>
+        <translation>Kanal R von Sensor </translation>
+    </message>
+    <message>
+        <source>: 0 none, 1 dead, 2 stuck</source>
+        <translation>: 0 kein Fehler, 1 ausgefallen, 2 eingefroren</translation>
+    </message>
+    <message>
+        <source>channel Theta of sensor </source>
+        <translation>Kanal Theta von Sensor </translation>
+    </message>
+    <message>
+        <source>, likewise</source>
+        <translation>, ebenso</translation>
+    </message>
+    <message>
+        <source>channel Phi of sensor </source>
+        <translation>Kanal Phi von Sensor </translation>
+    </message>
+    <message>
+        <source>outer radius of the rotor</source>
+        <translation>Außenradius des Läufers</translation>
+    </message>
+    <message>
+        <source>radius of the rotor&apos;s core</source>
+        <translation>Radius des Läuferkerns</translation>
+    </message>
+    <message>
+        <source>pole angle of the magnet</source>
+        <translation>Polwinkel des Magneten</translation>
+    </message>
+    <message>
+        <source>relative recoil permeability</source>
+        <translation>relative permanente Permeabilität</translation>
+    </message>
+    <message>
+        <source>relative permeability of the core</source>
+        <translation>relative Permeabilität des Kerns</translation>
+    </message>
+    <message>
+        <source>azimuthal coefficient</source>
+        <translation>Azimutalkoeffizient</translation>
+    </message>
+    <message>
+        <source>device model: 0 exact, 1 additive angles as published</source>
+        <translation>Gerätemodell: 0 exakt, 1 additive Winkel wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>distance of the sensors from the centre</source>
+        <translation>Abstand der Sensoren vom Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
+        <translation>Sensorachsen: 0 zyx, 1 xyz, 2 ohne Rollwinkel</translation>
+    </message>
+    <message>
+        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
+        <translation>weitere Kugelflächenfunktionen: 0 keine, 1 wie Finite Elemente, 2 Belastungsprobe</translation>
+    </message>
+    <message>
+        <source>harmonic (4,2) at 50 mm instead of the preset&apos;s</source>
+        <translation>Kugelflächenfunktion (4,2) bei 50 mm statt der des Parametersatzes</translation>
+    </message>
+    <message>
+        <source>harmonic (6,2) at 50 mm instead of the preset&apos;s</source>
+        <translation>Kugelflächenfunktion (6,2) bei 50 mm statt der des Parametersatzes</translation>
+    </message>
+    <message>
+        <source>harmonic (6,6) at 50 mm instead of the preset&apos;s</source>
+        <translation>Kugelflächenfunktion (6,6) bei 50 mm statt der des Parametersatzes</translation>
+    </message>
+    <message>
+        <source>harmonic (10,10) at 50 mm instead of the preset&apos;s</source>
+        <translation>Kugelflächenfunktion (10,10) bei 50 mm statt der des Parametersatzes</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gains, 1 sigma</source>
+        <translation>Streuung der gezogenen Verstärkungen, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn offsets, 1 sigma</source>
+        <translation>Streuung der gezogenen Offsets, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares, 1 sigma</source>
+        <translation>Streuung der gezogenen Querachsenanteile, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn mounting angles, 1 sigma</source>
+        <translation>Streuung der gezogenen Einbauwinkel, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places, 1 sigma</source>
+        <translation>Streuung der gezogenen Lagefehler, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>noise of a reading, rms</source>
+        <translation>Rauschen eines Messwerts, Effektivwert</translation>
+    </message>
+    <message>
+        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
+        <translation>Wandler: 0 12 Bit 300 mT, 1 400 mT, 2 98 µT bis 130 mT, 3 100 mT</translation>
+    </message>
+    <message>
+        <source>uniform stray field along X</source>
+        <translation>homogenes Streufeld entlang X</translation>
+    </message>
+    <message>
+        <source>uniform stray field along Y</source>
+        <translation>homogenes Streufeld entlang Y</translation>
+    </message>
+    <message>
+        <source>uniform stray field along Z</source>
+        <translation>homogenes Streufeld entlang Z</translation>
+    </message>
+    <message>
+        <source>place of the stator coil, from Z</source>
+        <translation>Lage der Statorspule, von Z aus</translation>
+    </message>
+    <message>
+        <source>place of the stator coil, from X</source>
+        <translation>Lage der Statorspule, von X aus</translation>
+    </message>
+    <message>
+        <source>distance of the coil&apos;s centre</source>
+        <translation>Abstand des Spulenmittelpunkts</translation>
+    </message>
+    <message>
+        <source>radius of the stator coil</source>
+        <translation>Radius der Statorspule</translation>
+    </message>
+    <message>
+        <source>turns of the stator coil</source>
+        <translation>Windungszahl der Statorspule</translation>
+    </message>
+    <message>
+        <source>current of the stator coil</source>
+        <translation>Strom der Statorspule</translation>
+    </message>
+    <message>
+        <source>temperature at the start</source>
+        <translation>Temperatur zu Beginn</translation>
+    </message>
+    <message>
+        <source>final rise of the magnet</source>
+        <translation>Enderwärmung des Magneten</translation>
+    </message>
+    <message>
+        <source>time constant of the rise</source>
+        <translation>Zeitkonstante der Erwärmung</translation>
+    </message>
+    <message>
+        <source>relative change of the field with temperature</source>
+        <translation>relative Änderung des Felds mit der Temperatur</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensor; drawn</source>
+        <translation>Fehler des Temperatursensors; gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors, 1 sigma</source>
+        <translation>Streuung der gezogenen Temperaturfehler, 1 Sigma</translation>
+    </message>
+    <message>
+        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
+        <translation>0 Sollwert, 1 bis 4 veröffentlichte Trajektorie, 5 Taumeln, 6 Zufallsbewegung</translation>
+    </message>
+    <message>
+        <source>start, rotation about X</source>
+        <translation>Beginn, Drehung um X</translation>
+    </message>
+    <message>
+        <source>start, rotation about Y</source>
+        <translation>Beginn, Drehung um Y</translation>
+    </message>
+    <message>
+        <source>start, spin about the shaft</source>
+        <translation>Beginn, Drehung um die Welle</translation>
+    </message>
+    <message>
+        <source>rate towards a set-point, spin of tumbling</source>
+        <translation>Drehrate zum Sollwert, Eigendrehung beim Taumeln</translation>
+    </message>
+    <message>
+        <source>spin along the published trajectories</source>
+        <translation>Eigendrehwinkel auf den veröffentlichten Trajektorien</translation>
+    </message>
+    <message>
+        <source>time between two published samples</source>
+        <translation>Zeit zwischen zwei veröffentlichten Abtastwerten</translation>
+    </message>
+    <message>
+        <source>tilt of tumbling, limit of the random walk</source>
+        <translation>Neigung beim Taumeln, Grenze der Zufallsbewegung</translation>
+    </message>
+    <message>
+        <source>frequency of tumbling about X</source>
+        <translation>Frequenz des Taumelns um X</translation>
+    </message>
+    <message>
+        <source>random walk: rms of an axis after one second</source>
+        <translation>Zufallsbewegung: Effektivwert einer Achse nach einer Sekunde</translation>
+    </message>
+    <message>
+        <source>the spherical motor has no parameter &apos;{}&apos;</source>
+        <translation>der Kugelmotor hat keinen Parameter „{}“</translation>
+    </message>
+    <message>
+        <source>the value of &apos;{}&apos; is not a finite number</source>
+        <translation>der Wert von „{}“ ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be {}</source>
+        <translation>„{}“ kann nicht {} sein</translation>
+    </message>
+    <message>
+        <source>It is {} from {} to {} {}.</source>
+        <translation>Es ist {} von {} bis {} {}.</translation>
+    </message>
+    <message>
+        <source>The stator coil lies inside the rotor.</source>
+        <translation>Die Statorspule liegt im Läufer.</translation>
+    </message>
+    <message>
+        <source>Make coil_distance_mm larger than R0_mm.</source>
+        <translation>Wählen Sie coil_distance_mm größer als R0_mm.</translation>
+    </message>
+    <message>
+        <source>A number of the orientation sensing is not finite.</source>
+        <translation>Eine Zahl der Orientierungsmessung ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>The deviation of every field reading must be positive.</source>
+        <translation>Die Streuung jedes Feldmesswerts muss positiv sein.</translation>
+    </message>
+    <message>
+        <source>The strength q of the rotor&apos;s field must be positive.</source>
+        <translation>Die Stärke q des Läuferfelds muss positiv sein.</translation>
+    </message>
+    <message>
+        <source>A magnet poled the other way is the same one turned by 90 degrees about its shaft.</source>
+        <translation>Ein umgekehrt gepolter Magnet ist derselbe, um 90 Grad um seine Welle gedreht.</translation>
+    </message>
+    <message>
+        <source>The reference radius of the rotor&apos;s field must be positive.</source>
+        <translation>Der Bezugsradius des Läuferfelds muss positiv sein.</translation>
+    </message>
+    <message>
+        <source>The estimators need harmonics of even degree and even order.</source>
+        <translation>Die Schätzer brauchen Kugelflächenfunktionen von geradem Grad und gerader Ordnung.</translation>
+    </message>
+    <message>
+        <source>Others break the symmetry of the four-pole rotor.</source>
+        <translation>Andere brechen die Symmetrie des vierpoligen Läufers.</translation>
+    </message>
+    <message>
+        <source>A setting of the particle swarm is not a finite number.</source>
+        <translation>Eine Einstellung des Partikelschwarms ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>The box of the particle swarm is empty.</source>
+        <translation>Der Suchbereich des Partikelschwarms ist leer.</translation>
+    </message>
+    <message>
+        <source>The particle swarm needs 1 to 128 particles and numbers of steps of at least 0.</source>
+        <translation>Der Partikelschwarm braucht 1 bis 128 Partikel und Schrittzahlen von mindestens 0.</translation>
+    </message>
+    <message>
+        <source>Thresholds, pulls and stops of the particle swarm are at least zero, its limits of velocity and step positive.</source>
+        <translation>Schwellen, Anziehungen und Abbruchwerte des Partikelschwarms sind mindestens null, seine Grenzen für Geschwindigkeit und Schritt positiv.</translation>
+    </message>
+    <message>
+        <source>gains with set-point weights or filters are applied at once, not in small steps</source>
+        <translation>Reglerparameter mit Sollwertgewichten oder Filtern werden auf einmal übernommen, nicht in kleinen Schritten</translation>
+    </message>
+    <message>
+        <source>switch small steps off</source>
+        <translation>schalten Sie die kleinen Schritte aus</translation>
+    </message>
+    <message>
+        <source>the law on the device has set-point weights or filters</source>
+        <translation>das Regelgesetz im Gerät hat Sollwertgewichte oder Filter</translation>
+    </message>
+    <message>
+        <source>apply the gains at once: that takes them out</source>
+        <translation>übernehmen Sie die Reglerparameter auf einmal: das entfernt sie</translation>
+    </message>
+    <message>
+        <source>set-point weight b</source>
+        <translation>Sollwertgewicht b</translation>
+    </message>
+    <message>
+        <source>set-point weight c</source>
+        <translation>Sollwertgewicht c</translation>
+    </message>
+    <message>
+        <source>filter on the derivative</source>
+        <translation>Filter am D-Anteil</translation>
+    </message>
+    <message>
+        <source>filters in series</source>
+        <translation>Filter in Reihe</translation>
+    </message>
+    <message>
+        <source>more than {} filters in series</source>
+        <translation>mehr als {} Filter in Reihe</translation>
+    </message>
+    <message>
+        <source>the law of this board has no {}</source>
+        <translation>das Regelgesetz dieses Steuergeräts bietet nicht: {}</translation>
+    </message>
+    <message>
+        <source>, no </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>take it out of the gains, or save the law as C code for another controller</source>
+        <translation>nehmen Sie es aus den Reglerparametern heraus, oder speichern Sie das Regelgesetz als C-Code für einen anderen Regler</translation>
+    </message>
+    <message>
+        <source>these gains need a board whose law has their set-point weights and filters</source>
+        <translation>diese Reglerparameter brauchen ein Steuergerät, dessen Regelgesetz ihre Sollwertgewichte und Filter hat</translation>
+    </message>
+    <message>
+        <source>tune --gains FILE --apply DEVICE says whether it has; else save the law as C code</source>
+        <translation>tune --gains DATEI --apply GERÄT sagt, ob es sie hat; sonst speichern Sie das Regelgesetz als C-Code</translation>
     </message>
 </context>
 <context>
@@ -7923,8 +8363,8 @@
         <translation>Was zurückgenommen wurde, geschieht wieder (Strg+Umschalt+Z)</translation>
     </message>
     <message>
-        <source>%1, with filters: not on the board</source>
-        <translation>%1, mit Filtern: nicht auf dem Steuergerät</translation>
+        <source>%1, with filters</source>
+        <translation>%1, mit Filtern</translation>
     </message>
 </context>
 <context>
@@ -8836,24 +9276,12 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
         <translation>%1: Art</translation>
     </message>
     <message>
-        <source>Lead: phase at a frequency. Lag: more gain at rest. Notch: little gain at a frequency. Low-pass: little gain above a frequency</source>
-        <translation>Lead: Phase bei einer Frequenz. Lag: mehr Verstärkung in Ruhe. Notch: wenig Verstärkung bei einer Frequenz. Tiefpass: wenig Verstärkung über einer Frequenz</translation>
-    </message>
-    <message>
         <source>Remove %1</source>
         <translation>%1 entfernen</translation>
     </message>
     <message>
         <source>Weights and filters</source>
         <translation>Gewichte und Filter</translation>
-    </message>
-    <message>
-        <source>Show what other controllers have and the board has not</source>
-        <translation>Zeigen, was andere Regler haben und das Steuergerät nicht</translation>
-    </message>
-    <message>
-        <source>Judged, compared and written; the board has none of it and cannot run it.</source>
-        <translation>Wird beurteilt, verglichen und geschrieben; das Steuergerät hat nichts davon und kann es nicht ausführen.</translation>
     </message>
     <message>
         <source>In series with the others, four at most; a low-pass at first</source>
@@ -8872,16 +9300,8 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
         <translation>Gewicht c des Sollwerts</translation>
     </message>
     <message>
-        <source>Of K_D: 0 is what the board does at a step</source>
-        <translation>Von K_D: 0 ist, was das Steuergerät bei einem Sprung tut</translation>
-    </message>
-    <message>
         <source>Filter on the derivative</source>
         <translation>Filter am D-Anteil</translation>
-    </message>
-    <message>
-        <source>Time constant; 0 is the board&apos;s difference</source>
-        <translation>Zeitkonstante; 0 ist die Differenz des Steuergeräts</translation>
     </message>
     <message>
         <source>Where the phase is added; the gain there stays</source>
@@ -8918,6 +9338,50 @@ seinen Weg zum vorigen dazu (Strg+Umschalt+R)</translation>
     <message>
         <source>1 or 2</source>
         <translation>1 oder 2</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Glied 2. Ordnung</translation>
+    </message>
+    <message>
+        <source>Coefficient of (b0 d² + b1 d + b2)/(d² + a1 d + a2), d = z − 1</source>
+        <translation>Koeffizient von (b0 d² + b1 d + b2)/(d² + a1 d + a2), d = z − 1</translation>
+    </message>
+    <message>
+        <source>Coefficient of d in the numerator</source>
+        <translation>Koeffizient von d im Zähler</translation>
+    </message>
+    <message>
+        <source>Coefficient of 1 in the numerator</source>
+        <translation>Koeffizient von 1 im Zähler</translation>
+    </message>
+    <message>
+        <source>Coefficient of d in the denominator; 0: no memory</source>
+        <translation>Koeffizient von d im Nenner; 0: kein Gedächtnis</translation>
+    </message>
+    <message>
+        <source>Coefficient of 1 in the denominator</source>
+        <translation>Koeffizient von 1 im Nenner</translation>
+    </message>
+    <message>
+        <source>Lead: phase at a frequency. Lag: more gain at rest. Notch: little gain at a frequency. Low-pass: little gain above a frequency. Section: by coefficients</source>
+        <translation>Lead: Phase bei einer Frequenz. Lag: mehr Verstärkung in Ruhe. Notch: wenig Verstärkung bei einer Frequenz. Tiefpass: wenig Verstärkung über einer Frequenz. Glied 2. Ordnung: durch Koeffizienten</translation>
+    </message>
+    <message>
+        <source>Set-point weights, derivative filter and filters in series</source>
+        <translation>Sollwertgewichte, Filter am D-Anteil und Filter in Reihe</translation>
+    </message>
+    <message>
+        <source>Applied to boards whose law offers them; else judged, compared and saved.</source>
+        <translation>Werden auf Steuergeräte übernommen, deren Regelgesetz sie bietet; sonst beurteilt, verglichen und gespeichert.</translation>
+    </message>
+    <message>
+        <source>Of K_D: 0 ignores a step of the set-point, 1 sees all of it</source>
+        <translation>Von K_D: 0 übergeht einen Sprung des Sollwerts, 1 berücksichtigt ihn ganz</translation>
+    </message>
+    <message>
+        <source>Time constant; 0: the difference of two samples</source>
+        <translation>Zeitkonstante; 0: die Differenz zweier Abtastwerte</translation>
     </message>
 </context>
 <context>
@@ -14654,12 +15118,8 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
         <translation>Das Steuergerät hat keine Sollwertgewichte und keine Filter: dieses Gesetz wird beurteilt, verglichen und geschrieben und kann nicht übernommen werden</translation>
     </message>
     <message>
-        <source>The board&apos;s law has no set-point weights and no filters</source>
-        <translation>Das Gesetz des Steuergeräts hat keine Sollwertgewichte und keine Filter</translation>
-    </message>
-    <message>
-        <source>These gains cannot be applied: no board has their weights and filters. Take them out, or save the law as C for another controller.</source>
-        <translation>Diese Reglerparameter können nicht übernommen werden: kein Steuergerät hat ihre Gewichte und Filter. Nehmen Sie sie heraus, oder speichern Sie das Gesetz als C für einen anderen Regler.</translation>
+        <source>These gains cannot be applied: %1. %2.</source>
+        <translation>Diese Reglerparameter können nicht übernommen werden: %1; %2.</translation>
     </message>
 </context>
 <context>

@@ -6731,24 +6731,8 @@
         <translation>“units”中的“{}”不是这个 [[plot]] 所显示的信号</translation>
     </message>
     <message>
-        <source>the board&apos;s law has no set-point weights and no filters: this loop is judged and cannot be applied</source>
-        <translation>控制板的控制律没有设定值权重和滤波器：该回路只作评判，不能应用</translation>
-    </message>
-    <message>
         <source>leave it out to use these gains; weights and filters are judged by &apos;halbench analyse&apos; and &apos;halbench tune --gains&apos;</source>
         <translation>要使用这些增益，请将其去掉；权重和滤波器由 &apos;halbench analyse&apos; 和 &apos;halbench tune --gains&apos; 评判</translation>
-    </message>
-    <message>
-        <source>write its law as C code for a controller that has them, or leave them out</source>
-        <translation>请把它的控制律写成 C 代码供具备它们的控制器使用，或去掉它们</translation>
-    </message>
-    <message>
-        <source>a recorded move is replayed through the board&apos;s law, which has no set-point weights and no filters</source>
-        <translation>记录的运动通过控制板的控制律重放，而它没有设定值权重和滤波器</translation>
-    </message>
-    <message>
-        <source>leave them out of the gains to ask what if</source>
-        <translation>要进行假如分析，请从增益中去掉它们</translation>
     </message>
     <message>
         <source>&apos;{}&apos; must be a whole number from 1 to {}</source>
@@ -7089,6 +7073,462 @@
     <message>
         <source>the motion does not tell the forces apart</source>
         <translation>运动无法区分这些力</translation>
+    </message>
+    <message>
+        <source>a coefficient of a filter is not a finite number</source>
+        <translation>滤波器的某个系数不是有限数</translation>
+    </message>
+    <message>
+        <source>the filter with a1 = {}, a2 = {} is not stable</source>
+        <translation>a1 = {}、a2 = {} 的滤波器不稳定</translation>
+    </message>
+    <message>
+        <source>a section is given as it is sampled</source>
+        <translation>二阶节以采样形式给出</translation>
+    </message>
+    <message>
+        <source>A number of the grid of poses is not finite.</source>
+        <translation>位姿网格的一个数值不是有限数。</translation>
+    </message>
+    <message>
+        <source>The grid of poses is empty.</source>
+        <translation>位姿网格为空。</translation>
+    </message>
+    <message>
+        <source>The grid has more than 200 million poses.</source>
+        <translation>网格的位姿超过 2 亿个。</translation>
+    </message>
+    <message>
+        <source>Make its step larger.</source>
+        <translation>请增大其步长。</translation>
+    </message>
+    <message>
+        <source>The proof of the coverage was stopped.</source>
+        <translation>覆盖性证明已中止。</translation>
+    </message>
+    <message>
+        <source>The box of the coverage proof is empty or its cells too small.</source>
+        <translation>覆盖性证明的区域为空，或其单元过小。</translation>
+    </message>
+    <message>
+        <source>The claimed placement is not on the lattice.</source>
+        <translation>所声明的布置不在网格上。</translation>
+    </message>
+    <message>
+        <source>The estimator needs harmonic passes of at least 0, at least one iteration and a positive limit of chi-square.</source>
+        <translation>估计器需要球谐修正次数不小于 0、至少一次迭代，以及正的卡方限值。</translation>
+    </message>
+    <message>
+        <source>The sensors do not determine the field of the rotor.</source>
+        <translation>传感器无法确定转子的磁场。</translation>
+    </message>
+    <message>
+        <source>Two of them need directions that differ and are not opposite.</source>
+        <translation>其中两个的方向须不同，且不能相反。</translation>
+    </message>
+    <message>
+        <source>The computation was stopped.</source>
+        <translation>计算已中止。</translation>
+    </message>
+    <message>
+        <source>A number of the rotor&apos;s motion is not finite.</source>
+        <translation>转子运动的一个数值不是有限数。</translation>
+    </message>
+    <message>
+        <source>The rotor&apos;s motion needs a positive rate, sample time and tilt of at most 180 degrees.</source>
+        <translation>转子运动需要正的角速度、正的采样时间，以及不超过 180 度的正倾角。</translation>
+    </message>
+    <message>
+        <source>The table of poses is empty.</source>
+        <translation>位姿表为空。</translation>
+    </message>
+    <message>
+        <source>Row {}</source>
+        <translation>第 {} 行</translation>
+    </message>
+    <message>
+        <source>{} of the table of poses is not finite.</source>
+        <translation>位姿表{}不是有限数。</translation>
+    </message>
+    <message>
+        <source>The time in row {}</source>
+        <translation>第 {} 行的时间</translation>
+    </message>
+    <message>
+        <source>{} of the table of poses does not rise.</source>
+        <translation>位姿表{}没有递增。</translation>
+    </message>
+    <message>
+        <source>gain error of sensor </source>
+        <translation>增益误差，传感器 </translation>
+    </message>
+    <message>
+        <source>; drawn</source>
+        <translation>；随机抽取</translation>
+    </message>
+    <message>
+        <source>offset of sensor </source>
+        <translation>偏置，传感器 </translation>
+    </message>
+    <message>
+        <source>mounting error of sensor </source>
+        <translation>安装误差，传感器 </translation>
+    </message>
+    <message>
+        <source> about stator </source>
+        <translation> 绕定子轴 </translation>
+    </message>
+    <message>
+        <source>place error of sensor </source>
+        <translation>位置误差，传感器 </translation>
+    </message>
+    <message>
+        <source> along stator </source>
+        <translation> 沿定子轴 </translation>
+    </message>
+    <message>
+        <source>placement of sensor </source>
+        <translation>布置，传感器 </translation>
+    </message>
+    <message>
+        <source> about X</source>
+        <translation> 绕 X</translation>
+    </message>
+    <message>
+        <source> about Y</source>
+        <translation> 绕 Y</translation>
+    </message>
+    <message>
+        <source> about Z</source>
+        <translation> 绕 Z</translation>
+    </message>
+    <message>
+        <source>channel R of sensor </source>
+        <translation>R 通道，传感器 </translation>
+    </message>
+    <message>
+        <source>: 0 none, 1 dead, 2 stuck</source>
+        <translation>：0 无故障，1 失效，2 卡死</translation>
+    </message>
+    <message>
+        <source>channel Theta of sensor </source>
+        <translation>Theta 通道，传感器 </translation>
+    </message>
+    <message>
+        <source>, likewise</source>
+        <translation>，同上</translation>
+    </message>
+    <message>
+        <source>channel Phi of sensor </source>
+        <translation>Phi 通道，传感器 </translation>
+    </message>
+    <message>
+        <source>outer radius of the rotor</source>
+        <translation>转子的外半径</translation>
+    </message>
+    <message>
+        <source>radius of the rotor&apos;s core</source>
+        <translation>转子铁芯的半径</translation>
+    </message>
+    <message>
+        <source>pole angle of the magnet</source>
+        <translation>磁体的磁极角</translation>
+    </message>
+    <message>
+        <source>relative recoil permeability</source>
+        <translation>相对回复磁导率</translation>
+    </message>
+    <message>
+        <source>relative permeability of the core</source>
+        <translation>铁芯的相对磁导率</translation>
+    </message>
+    <message>
+        <source>azimuthal coefficient</source>
+        <translation>方位角系数</translation>
+    </message>
+    <message>
+        <source>device model: 0 exact, 1 additive angles as published</source>
+        <translation>设备模型：0 精确，1 按文献的角度相加</translation>
+    </message>
+    <message>
+        <source>distance of the sensors from the centre</source>
+        <translation>传感器到中心的距离</translation>
+    </message>
+    <message>
+        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
+        <translation>传感器坐标系：0 zyx，1 xyz，2 无滚转</translation>
+    </message>
+    <message>
+        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
+        <translation>其他球谐函数：0 无，1 按有限元，2 压力测试</translation>
+    </message>
+    <message>
+        <source>harmonic (4,2) at 50 mm instead of the preset&apos;s</source>
+        <translation>50 mm 处的球谐函数 (4,2)，代替预设值</translation>
+    </message>
+    <message>
+        <source>harmonic (6,2) at 50 mm instead of the preset&apos;s</source>
+        <translation>50 mm 处的球谐函数 (6,2)，代替预设值</translation>
+    </message>
+    <message>
+        <source>harmonic (6,6) at 50 mm instead of the preset&apos;s</source>
+        <translation>50 mm 处的球谐函数 (6,6)，代替预设值</translation>
+    </message>
+    <message>
+        <source>harmonic (10,10) at 50 mm instead of the preset&apos;s</source>
+        <translation>50 mm 处的球谐函数 (10,10)，代替预设值</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gains, 1 sigma</source>
+        <translation>随机抽取的增益的离散度，1 σ</translation>
+    </message>
+    <message>
+        <source>spread of the drawn offsets, 1 sigma</source>
+        <translation>随机抽取的偏置的离散度，1 σ</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares, 1 sigma</source>
+        <translation>随机抽取的交叉轴分量的离散度，1 σ</translation>
+    </message>
+    <message>
+        <source>spread of the drawn mounting angles, 1 sigma</source>
+        <translation>随机抽取的安装角的离散度，1 σ</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places, 1 sigma</source>
+        <translation>随机抽取的位置误差的离散度，1 σ</translation>
+    </message>
+    <message>
+        <source>noise of a reading, rms</source>
+        <translation>读数的噪声，有效值</translation>
+    </message>
+    <message>
+        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
+        <translation>转换器：0 12 位 300 mT，1 400 mT，2 98 µT 至 130 mT，3 100 mT</translation>
+    </message>
+    <message>
+        <source>uniform stray field along X</source>
+        <translation>沿 X 的均匀杂散磁场</translation>
+    </message>
+    <message>
+        <source>uniform stray field along Y</source>
+        <translation>沿 Y 的均匀杂散磁场</translation>
+    </message>
+    <message>
+        <source>uniform stray field along Z</source>
+        <translation>沿 Z 的均匀杂散磁场</translation>
+    </message>
+    <message>
+        <source>place of the stator coil, from Z</source>
+        <translation>定子线圈的位置，从 Z 起算</translation>
+    </message>
+    <message>
+        <source>place of the stator coil, from X</source>
+        <translation>定子线圈的位置，从 X 起算</translation>
+    </message>
+    <message>
+        <source>distance of the coil&apos;s centre</source>
+        <translation>线圈中心的距离</translation>
+    </message>
+    <message>
+        <source>radius of the stator coil</source>
+        <translation>定子线圈的半径</translation>
+    </message>
+    <message>
+        <source>turns of the stator coil</source>
+        <translation>定子线圈的匝数</translation>
+    </message>
+    <message>
+        <source>current of the stator coil</source>
+        <translation>定子线圈的电流</translation>
+    </message>
+    <message>
+        <source>temperature at the start</source>
+        <translation>起始温度</translation>
+    </message>
+    <message>
+        <source>final rise of the magnet</source>
+        <translation>磁体的最终温升</translation>
+    </message>
+    <message>
+        <source>time constant of the rise</source>
+        <translation>温升的时间常数</translation>
+    </message>
+    <message>
+        <source>relative change of the field with temperature</source>
+        <translation>磁场随温度的相对变化</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensor; drawn</source>
+        <translation>温度传感器的误差；随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors, 1 sigma</source>
+        <translation>随机抽取的温度误差的离散度，1 σ</translation>
+    </message>
+    <message>
+        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
+        <translation>0 设定值，1 至 4 文献轨迹，5 翻滚，6 随机游走</translation>
+    </message>
+    <message>
+        <source>start, rotation about X</source>
+        <translation>起始，绕 X 的转角</translation>
+    </message>
+    <message>
+        <source>start, rotation about Y</source>
+        <translation>起始，绕 Y 的转角</translation>
+    </message>
+    <message>
+        <source>start, spin about the shaft</source>
+        <translation>起始，绕轴的自转角</translation>
+    </message>
+    <message>
+        <source>rate towards a set-point, spin of tumbling</source>
+        <translation>趋向设定值的角速度，翻滚时的自转角速度</translation>
+    </message>
+    <message>
+        <source>spin along the published trajectories</source>
+        <translation>文献轨迹上的自转角</translation>
+    </message>
+    <message>
+        <source>time between two published samples</source>
+        <translation>文献中两个样本之间的时间</translation>
+    </message>
+    <message>
+        <source>tilt of tumbling, limit of the random walk</source>
+        <translation>翻滚的倾角，随机游走的限值</translation>
+    </message>
+    <message>
+        <source>frequency of tumbling about X</source>
+        <translation>绕 X 翻滚的频率</translation>
+    </message>
+    <message>
+        <source>random walk: rms of an axis after one second</source>
+        <translation>随机游走：一秒后单轴的均方根值</translation>
+    </message>
+    <message>
+        <source>the spherical motor has no parameter &apos;{}&apos;</source>
+        <translation>球形电机没有参数“{}”</translation>
+    </message>
+    <message>
+        <source>the value of &apos;{}&apos; is not a finite number</source>
+        <translation>“{}”的值不是有限数</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; cannot be {}</source>
+        <translation>“{}”不能为 {}</translation>
+    </message>
+    <message>
+        <source>It is {} from {} to {} {}.</source>
+        <translation>应为 {1} 到 {2} {3} 的{0}。</translation>
+    </message>
+    <message>
+        <source>The stator coil lies inside the rotor.</source>
+        <translation>定子线圈位于转子内部。</translation>
+    </message>
+    <message>
+        <source>Make coil_distance_mm larger than R0_mm.</source>
+        <translation>请使 coil_distance_mm 大于 R0_mm。</translation>
+    </message>
+    <message>
+        <source>A number of the orientation sensing is not finite.</source>
+        <translation>姿态测量的一个数值不是有限数。</translation>
+    </message>
+    <message>
+        <source>The deviation of every field reading must be positive.</source>
+        <translation>每个磁场读数的偏差必须为正。</translation>
+    </message>
+    <message>
+        <source>The strength q of the rotor&apos;s field must be positive.</source>
+        <translation>转子磁场的强度 q 必须为正。</translation>
+    </message>
+    <message>
+        <source>A magnet poled the other way is the same one turned by 90 degrees about its shaft.</source>
+        <translation>极性相反的磁体等同于绕其轴转过 90 度的同一磁体。</translation>
+    </message>
+    <message>
+        <source>The reference radius of the rotor&apos;s field must be positive.</source>
+        <translation>转子磁场的参考半径必须为正。</translation>
+    </message>
+    <message>
+        <source>The estimators need harmonics of even degree and even order.</source>
+        <translation>估计器需要阶数和级数均为偶数的球谐函数。</translation>
+    </message>
+    <message>
+        <source>Others break the symmetry of the four-pole rotor.</source>
+        <translation>其他球谐函数会破坏四极转子的对称性。</translation>
+    </message>
+    <message>
+        <source>A setting of the particle swarm is not a finite number.</source>
+        <translation>粒子群的一个设置不是有限数。</translation>
+    </message>
+    <message>
+        <source>The box of the particle swarm is empty.</source>
+        <translation>粒子群的搜索区域为空。</translation>
+    </message>
+    <message>
+        <source>The particle swarm needs 1 to 128 particles and numbers of steps of at least 0.</source>
+        <translation>粒子群需要 1 到 128 个粒子，且步数不小于 0。</translation>
+    </message>
+    <message>
+        <source>Thresholds, pulls and stops of the particle swarm are at least zero, its limits of velocity and step positive.</source>
+        <translation>粒子群的阈值、牵引系数和停止值不小于零，其速度和步长限值为正。</translation>
+    </message>
+    <message>
+        <source>gains with set-point weights or filters are applied at once, not in small steps</source>
+        <translation>带设定值权重或滤波器的增益一次性应用，不以小步进行</translation>
+    </message>
+    <message>
+        <source>switch small steps off</source>
+        <translation>请关闭小步方式</translation>
+    </message>
+    <message>
+        <source>the law on the device has set-point weights or filters</source>
+        <translation>设备中的控制律带有设定值权重或滤波器</translation>
+    </message>
+    <message>
+        <source>apply the gains at once: that takes them out</source>
+        <translation>请一次性应用增益：这会将其移除</translation>
+    </message>
+    <message>
+        <source>set-point weight b</source>
+        <translation>设定值权重 b</translation>
+    </message>
+    <message>
+        <source>set-point weight c</source>
+        <translation>设定值权重 c</translation>
+    </message>
+    <message>
+        <source>filter on the derivative</source>
+        <translation>微分滤波</translation>
+    </message>
+    <message>
+        <source>filters in series</source>
+        <translation>串联滤波器</translation>
+    </message>
+    <message>
+        <source>more than {} filters in series</source>
+        <translation>多于 {} 个的串联滤波器</translation>
+    </message>
+    <message>
+        <source>the law of this board has no {}</source>
+        <translation>此控制板的控制律不支持：{}</translation>
+    </message>
+    <message>
+        <source>, no </source>
+        <translation>、</translation>
+    </message>
+    <message>
+        <source>take it out of the gains, or save the law as C code for another controller</source>
+        <translation>请将其从增益中去掉，或把控制律保存为 C 代码供其他控制器使用</translation>
+    </message>
+    <message>
+        <source>these gains need a board whose law has their set-point weights and filters</source>
+        <translation>这些增益需要其控制律具有相应设定值权重和滤波器的控制板</translation>
+    </message>
+    <message>
+        <source>tune --gains FILE --apply DEVICE says whether it has; else save the law as C code</source>
+        <translation>tune --gains FILE --apply DEVICE 会说明它是否具有；否则请把控制律保存为 C 代码</translation>
     </message>
 </context>
 <context>
@@ -7919,8 +8359,8 @@
         <translation>重新执行已撤回的操作（Ctrl+Shift+Z）</translation>
     </message>
     <message>
-        <source>%1, with filters: not on the board</source>
-        <translation>%1，带滤波：控制板不支持</translation>
+        <source>%1, with filters</source>
+        <translation>%1，带滤波</translation>
     </message>
 </context>
 <context>
@@ -8831,24 +9271,12 @@ its way to the one before (Ctrl+Shift+R)</source>
         <translation>%1：类型</translation>
     </message>
     <message>
-        <source>Lead: phase at a frequency. Lag: more gain at rest. Notch: little gain at a frequency. Low-pass: little gain above a frequency</source>
-        <translation>超前：在某一频率处增加相位。滞后：静态增益更大。陷波：在某一频率处增益很小。低通：在某一频率以上增益很小</translation>
-    </message>
-    <message>
         <source>Remove %1</source>
         <translation>移除%1</translation>
     </message>
     <message>
         <source>Weights and filters</source>
         <translation>权重与滤波器</translation>
-    </message>
-    <message>
-        <source>Show what other controllers have and the board has not</source>
-        <translation>显示其他控制器有而控制板没有的部分</translation>
-    </message>
-    <message>
-        <source>Judged, compared and written; the board has none of it and cannot run it.</source>
-        <translation>可评判、比较和写出；控制板没有这些，无法运行。</translation>
     </message>
     <message>
         <source>In series with the others, four at most; a low-pass at first</source>
@@ -8867,16 +9295,8 @@ its way to the one before (Ctrl+Shift+R)</source>
         <translation>设定值权重 c</translation>
     </message>
     <message>
-        <source>Of K_D: 0 is what the board does at a step</source>
-        <translation>作用于 K_D：0 就是控制板在阶跃时的做法</translation>
-    </message>
-    <message>
         <source>Filter on the derivative</source>
         <translation>微分滤波</translation>
-    </message>
-    <message>
-        <source>Time constant; 0 is the board&apos;s difference</source>
-        <translation>时间常数；0 就是控制板的差分</translation>
     </message>
     <message>
         <source>Where the phase is added; the gain there stays</source>
@@ -8913,6 +9333,50 @@ its way to the one before (Ctrl+Shift+R)</source>
     <message>
         <source>1 or 2</source>
         <translation>1 或 2</translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>二阶节</translation>
+    </message>
+    <message>
+        <source>Coefficient of (b0 d² + b1 d + b2)/(d² + a1 d + a2), d = z − 1</source>
+        <translation>(b0 d² + b1 d + b2)/(d² + a1 d + a2) 的系数，d = z − 1</translation>
+    </message>
+    <message>
+        <source>Coefficient of d in the numerator</source>
+        <translation>分子中 d 的系数</translation>
+    </message>
+    <message>
+        <source>Coefficient of 1 in the numerator</source>
+        <translation>分子中的常数项</translation>
+    </message>
+    <message>
+        <source>Coefficient of d in the denominator; 0: no memory</source>
+        <translation>分母中 d 的系数；0：无记忆</translation>
+    </message>
+    <message>
+        <source>Coefficient of 1 in the denominator</source>
+        <translation>分母中的常数项</translation>
+    </message>
+    <message>
+        <source>Lead: phase at a frequency. Lag: more gain at rest. Notch: little gain at a frequency. Low-pass: little gain above a frequency. Section: by coefficients</source>
+        <translation>超前：在某一频率处增加相位。滞后：静态增益更大。陷波：在某一频率处增益很小。低通：在某一频率以上增益很小。二阶节：由系数给出</translation>
+    </message>
+    <message>
+        <source>Set-point weights, derivative filter and filters in series</source>
+        <translation>设定值权重、微分滤波和串联滤波器</translation>
+    </message>
+    <message>
+        <source>Applied to boards whose law offers them; else judged, compared and saved.</source>
+        <translation>控制板的控制律支持时可应用；否则可评判、比较和保存。</translation>
+    </message>
+    <message>
+        <source>Of K_D: 0 ignores a step of the set-point, 1 sees all of it</source>
+        <translation>作用于 K_D：0 忽略设定值的阶跃，1 完全计入</translation>
+    </message>
+    <message>
+        <source>Time constant; 0: the difference of two samples</source>
+        <translation>时间常数；0：两个样本的差分</translation>
     </message>
 </context>
 <context>
@@ -14642,12 +15106,8 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
         <translation>控制板没有设定值权重和滤波器：这个控制律可以评判、比较和写出，但不能应用</translation>
     </message>
     <message>
-        <source>The board&apos;s law has no set-point weights and no filters</source>
-        <translation>控制板的控制律没有设定值权重和滤波器</translation>
-    </message>
-    <message>
-        <source>These gains cannot be applied: no board has their weights and filters. Take them out, or save the law as C for another controller.</source>
-        <translation>这些增益不能应用：没有控制板具有其权重和滤波器。请去掉它们，或把控制律保存为 C 代码供其他控制器使用。</translation>
+        <source>These gains cannot be applied: %1. %2.</source>
+        <translation>这些增益不能应用：%1。%2。</translation>
     </message>
 </context>
 <context>
