@@ -15114,10 +15114,6 @@ Im Monitor ändern &lt; und &gt; sie. Ein wirkliches Gerät hat seine eigene Zei
         <translation>Die Reglerparameter einer Datei werden die vorgeschlagenen; sie werden für diesen Motor beurteilt, bevor sie angewendet werden können</translation>
     </message>
     <message>
-        <source>The board has no set-point weights and no filters: this law is judged, compared and written, and cannot be applied</source>
-        <translation>Das Steuergerät hat keine Sollwertgewichte und keine Filter: dieses Gesetz wird beurteilt, verglichen und geschrieben und kann nicht übernommen werden</translation>
-    </message>
-    <message>
         <source>These gains cannot be applied: %1. %2.</source>
         <translation>Diese Reglerparameter können nicht übernommen werden: %1; %2.</translation>
     </message>

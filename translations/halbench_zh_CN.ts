@@ -15102,10 +15102,6 @@ In the Monitor &lt; and &gt; change it. A real device has its own time.</source>
         <translation>文件中的增益成为建议的增益；应用之前会针对这台电机进行评判</translation>
     </message>
     <message>
-        <source>The board has no set-point weights and no filters: this law is judged, compared and written, and cannot be applied</source>
-        <translation>控制板没有设定值权重和滤波器：这个控制律可以评判、比较和写出，但不能应用</translation>
-    </message>
-    <message>
         <source>These gains cannot be applied: %1. %2.</source>
         <translation>这些增益不能应用：%1。%2。</translation>
     </message>
