@@ -551,6 +551,42 @@
         <translation>Differentialverstärkung auf den gemessenen Winkel</translation>
     </message>
     <message>
+        <source>Set-point weight b of the proportional part</source>
+        <translation>Sollwertgewicht b des P-Anteils</translation>
+    </message>
+    <message>
+        <source>Set-point weight c of the derivative part</source>
+        <translation>Sollwertgewicht c des D-Anteils</translation>
+    </message>
+    <message>
+        <source>Time constant of the derivative&apos;s filter</source>
+        <translation>Zeitkonstante des Filters am D-Anteil</translation>
+    </message>
+    <message>
+        <source>Filter section (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2), d = z - 1</source>
+        <translation>Filterglied (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2), d = z - 1</translation>
+    </message>
+    <message>
+        <source>Coefficient b1 of the filter section</source>
+        <translation>Koeffizient b1 des Filterglieds</translation>
+    </message>
+    <message>
+        <source>Coefficient b2 of the filter section</source>
+        <translation>Koeffizient b2 des Filterglieds</translation>
+    </message>
+    <message>
+        <source>Coefficient a1 of the filter section; 0 switches it off</source>
+        <translation>Koeffizient a1 des Filterglieds; 0 schaltet es aus</translation>
+    </message>
+    <message>
+        <source>Coefficient a2 of the filter section</source>
+        <translation>Koeffizient a2 des Filterglieds</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
         <source>0.9 K_f/phi, with the reference speed</source>
         <translation>0,9 K_f/phi, mit der Führungsdrehzahl</translation>
     </message>
@@ -8811,6 +8847,14 @@ Firmware %2</translation>
 </context>
 <context>
     <name>halbench::app::DrivePanel</name>
+    <message>
+        <source>Drive it from the command line. STOP, Signals, Parameters and Record work here.</source>
+        <translation>Auf der Kommandozeile bewegen. STOP, Signale, Parameter und Aufzeichnen gehen hier.</translation>
+    </message>
+    <message>
+        <source>This device has several axes: it is not armed or driven from here.</source>
+        <translation>Dieses Gerät hat mehrere Achsen: Von hier aus wird es nicht freigegeben und nicht bewegt.</translation>
+    </message>
     <message>
         <source>What the board says of itself</source>
         <translation>Was das Steuergerät über sich sagt</translation>

@@ -551,6 +551,42 @@
         <translation>作用于测得角度的微分增益</translation>
     </message>
     <message>
+        <source>Set-point weight b of the proportional part</source>
+        <translation>比例部分的设定值权重 b</translation>
+    </message>
+    <message>
+        <source>Set-point weight c of the derivative part</source>
+        <translation>微分部分的设定值权重 c</translation>
+    </message>
+    <message>
+        <source>Time constant of the derivative&apos;s filter</source>
+        <translation>微分滤波器的时间常数</translation>
+    </message>
+    <message>
+        <source>Filter section (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2), d = z - 1</source>
+        <translation>滤波环节 (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2)，d = z - 1</translation>
+    </message>
+    <message>
+        <source>Coefficient b1 of the filter section</source>
+        <translation>滤波环节的系数 b1</translation>
+    </message>
+    <message>
+        <source>Coefficient b2 of the filter section</source>
+        <translation>滤波环节的系数 b2</translation>
+    </message>
+    <message>
+        <source>Coefficient a1 of the filter section; 0 switches it off</source>
+        <translation>滤波环节的系数 a1；0 表示关闭</translation>
+    </message>
+    <message>
+        <source>Coefficient a2 of the filter section</source>
+        <translation>滤波环节的系数 a2</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>滤波器</translation>
+    </message>
+    <message>
         <source>0.9 K_f/phi, with the reference speed</source>
         <translation>0.9 K_f/phi，随参考转速的方向</translation>
     </message>
@@ -8806,6 +8842,14 @@ Firmware %2</source>
 </context>
 <context>
     <name>halbench::app::DrivePanel</name>
+    <message>
+        <source>Drive it from the command line. STOP, Signals, Parameters and Record work here.</source>
+        <translation>请用命令行驱动。停止、信号、参数和记录在此可用。</translation>
+    </message>
+    <message>
+        <source>This device has several axes: it is not armed or driven from here.</source>
+        <translation>此设备有多个轴：不能从此处使能或驱动。</translation>
+    </message>
     <message>
         <source>What the board says of itself</source>
         <translation>控制板报告的自身状态</translation>

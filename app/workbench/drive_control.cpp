@@ -40,7 +40,14 @@ bool DriveControl::isAvailable() const {
 }
 
 bool DriveControl::canDrive() const {
-    return m_bench.session().catalogue().findParameter("hb.arm") != nullptr;
+    return m_bench.session().catalogue().findParameter("hb.arm") != nullptr && !hasSeveralAxes();
+}
+
+bool DriveControl::hasSeveralAxes() const {
+    const devices::Catalogue& catalogue = m_bench.session().catalogue();
+    return catalogue.signalForRole("position").empty() &&
+           std::any_of(catalogue.signals.begin(), catalogue.signals.end(),
+                       [](const devices::SignalSpec& spec) { return spec.role.starts_with("position."); });
 }
 
 bool DriveControl::isArmed() const {

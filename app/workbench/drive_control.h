@@ -29,6 +29,8 @@ public:
     bool isAvailable() const;
     /// The device knows our arming (resources/help/protocol.md 3.15); boards of other makers do not.
     bool canDrive() const;
+    /// The device has several axes, and no single position that a set-point could mean.
+    bool hasSeveralAxes() const;
     bool isArmed() const;
     bool isStopped() const;  ///< a stop or a fault is latched
     bool canRelease() const; ///< and it is no longer too early

@@ -179,12 +179,16 @@ void DrivePanel::refreshForeign() {
     const bool isForeign = m_bench.session().state() == SessionState::Connected && !m_control.canDrive();
     if (isForeign && m_asking != Asking::NothingToDrive) {
         m_asking = Asking::NothingToDrive;
-        m_message->showMessage({widgets::Severity::Information,
-                                tr("This device cannot be armed, driven or stopped from here: it has no "
-                                   "parameter hb.arm."),
-                                tr("Use its maker's program and the switch at the actuator. Signals, "
-                                   "Parameters and Record work with it by name."),
-                                {}});
+        const bool isOfAxes = m_control.hasSeveralAxes();
+        m_message->showMessage(
+            {widgets::Severity::Information,
+             isOfAxes ? tr("This device has several axes: it is not armed or driven from here.")
+                      : tr("This device cannot be armed, driven or stopped from here: it has no "
+                           "parameter hb.arm."),
+             isOfAxes ? tr("Drive it from the command line. STOP, Signals, Parameters and Record work here.")
+                      : tr("Use its maker's program and the switch at the actuator. Signals, "
+                           "Parameters and Record work with it by name."),
+             {}});
     } else if (!isForeign && m_asking == Asking::NothingToDrive) {
         m_asking = Asking::Nothing;
         m_message->clear();

@@ -58,12 +58,12 @@ static const hb_signal Signals[] HB_ROM = {
     PAGED(name, "", sections[n - 1].member, initial, lower, upper, NULL, text)
 #define SECTION(n, b0_name, b1_name, b2_name, a1_name, a2_name)                                              \
     COEFFICIENT(n, b0_name, b0, 1.0F, -1000.0F, 1000.0F,                                                     \
-                "Filter " #n ": (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2), d = z - 1"),                         \
-        COEFFICIENT(n, b1_name, b1, 0.0F, -1000.0F, 1000.0F, "Filter " #n ", coefficient b1"),               \
-        COEFFICIENT(n, b2_name, b2, 0.0F, -1000.0F, 1000.0F, "Filter " #n ", coefficient b2"),               \
+                "Filter section (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2), d = z - 1"),                         \
+        COEFFICIENT(n, b1_name, b1, 0.0F, -1000.0F, 1000.0F, "Coefficient b1 of the filter section"),        \
+        COEFFICIENT(n, b2_name, b2, 0.0F, -1000.0F, 1000.0F, "Coefficient b2 of the filter section"),        \
         COEFFICIENT(n, a1_name, a1, 0.0F, 0.0F, 4.0F,                                                        \
-                    "Filter " #n ", coefficient a1; 0: the filter is off"),                                  \
-        COEFFICIENT(n, a2_name, a2, 0.0F, 0.0F, 4.0F, "Filter " #n ", coefficient a2")
+                    "Coefficient a1 of the filter section; 0 switches it off"),                              \
+        COEFFICIENT(n, a2_name, a2, 0.0F, 0.0F, 4.0F, "Coefficient a2 of the filter section")
 
 static const hb_parameter Parameters[] HB_ROM = {
     HB_SET_FIRST(hb_htm_calibration, set_first),

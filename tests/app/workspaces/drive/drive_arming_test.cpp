@@ -18,6 +18,17 @@ TEST_F(DriveArmingTest, aDoubleClickOnDisarmDoesNotArmAgain) {
     EXPECT_EQ(parameter("hb.arm"), 0.0);
 }
 
+// A set-point field in degrees would mean none of three axes.
+TEST_F(DriveArmingTest, aDeviceOfSeveralAxesIsNotArmedHereAndThatIsSaid) {
+    connectTo("sim:planar", 5.0);
+    auto* message = panel->findChild<widgets::MessageBar*>();
+    ASSERT_TRUE(wait([&] { return message->message().text.contains("several axes"); }));
+    EXPECT_TRUE(message->message().remedy.contains("command line"));
+    EXPECT_FALSE(bench().drive().canArm());
+    EXPECT_FALSE(find<QPushButton>(*panel, "Arm")->isEnabled());
+    EXPECT_FALSE(find<QPushButton>(*panel, "Start")->isEnabled());
+}
+
 TEST_F(DriveArmingTest, aWheelThatPassesChangesNoMode) {
     connectTo("sim:htm", 5.0);
     auto* box = find<QComboBox>(*panel, "Mode");
