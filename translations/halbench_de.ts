@@ -95,6 +95,22 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>m, rad, N or N*m; height of a step of the staircase, end of the ramp, distance</source>
+        <translation>m, rad, N oder N*m; Höhe einer Stufe der Treppe, Ende der Rampe, Weg</translation>
+    </message>
+    <message>
+        <source>Slope of the ramp, speed of the trapezoid, per second</source>
+        <translation>Steigung der Rampe, Geschwindigkeit des Trapezes, je Sekunde</translation>
+    </message>
+    <message>
+        <source>Largest acceleration of the trapezoid per second squared</source>
+        <translation>Größte Beschleunigung des Trapezes je Sekunde im Quadrat</translation>
+    </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
         <source>Pose and speed from the readings</source>
         <translation>Pose und Geschwindigkeit aus den Messwerten</translation>
     </message>
@@ -373,14 +389,6 @@
     <message>
         <source>1 counts cells from the present one</source>
         <translation>1 zählt die Zellen ab der jetzigen</translation>
-    </message>
-    <message>
-        <source>m, rad, N or N*m; height of one step of the staircase, end of the ramp</source>
-        <translation>m, rad, N oder N*m; Höhe einer Stufe der Treppe, Ende der Rampe</translation>
-    </message>
-    <message>
-        <source>Slope of the ramp per second</source>
-        <translation>Steigung der Rampe je Sekunde</translation>
     </message>
     <message>
         <source>Constant speed added in mode position, else effort</source>

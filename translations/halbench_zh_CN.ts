@@ -95,6 +95,22 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>m, rad, N or N*m; height of a step of the staircase, end of the ramp, distance</source>
+        <translation>m、rad、N 或 N*m；阶梯的单级高度，斜坡的终点，行程</translation>
+    </message>
+    <message>
+        <source>Slope of the ramp, speed of the trapezoid, per second</source>
+        <translation>斜坡每秒的变化量，梯形轨迹的速度</translation>
+    </message>
+    <message>
+        <source>Largest acceleration of the trapezoid per second squared</source>
+        <translation>梯形轨迹的最大加速度，每二次方秒</translation>
+    </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>梯形</translation>
+    </message>
+    <message>
         <source>Pose and speed from the readings</source>
         <translation>由读数得到位姿和速度</translation>
     </message>
@@ -373,14 +389,6 @@
     <message>
         <source>1 counts cells from the present one</source>
         <translation>1：从当前单元开始计数</translation>
-    </message>
-    <message>
-        <source>m, rad, N or N*m; height of one step of the staircase, end of the ramp</source>
-        <translation>m、rad、N 或 N*m；阶梯的单级高度，斜坡的终点</translation>
-    </message>
-    <message>
-        <source>Slope of the ramp per second</source>
-        <translation>斜坡每秒的变化量</translation>
     </message>
     <message>
         <source>Constant speed added in mode position, else effort</source>

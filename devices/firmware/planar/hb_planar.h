@@ -14,6 +14,7 @@
 #include "devices/firmware/board/hb_board.h"
 #include "devices/firmware/control/hb_reference.h"
 #include "devices/firmware/planar/hb_planar_law.h"
+#include "devices/firmware/planar/hb_planar_profile.h"
 #include "devices/firmware/planar/hb_planar_tracker.h"
 #include "devices/firmware/planar/hb_planar_windings.h"
 
@@ -51,6 +52,10 @@ enum hb_planar_mode {
  */
 enum hb_planar_allocation { HB_ALLOCATION_SET_WISE, HB_ALLOCATION_FUNDAMENTAL, HB_ALLOCATION_FULL };
 
+/* A shape of the reference beyond those of hb_reference: `amplitude` is the distance, `rate` the largest
+ * speed, with `reference.<axis>.acceleration`; in mode position only. */
+enum { HB_PLANAR_TRAPEZOID = HB_SHAPE_COUNT };
+
 enum hb_planar_fault {
     HB_PLANAR_FAULT_LIFT = HB_FAULT_COUNT, /* vertical force near the weight */
     HB_PLANAR_FAULT_COUNT
@@ -80,6 +85,7 @@ typedef struct {
     hb_board_live board;
     uint8_t home;
     hb_reference_config reference[HB_AXES];
+    float acceleration[HB_AXES]; /* of the trapezoid */
     hb_board_capture capture;
 } hb_planar_live;
 
@@ -109,6 +115,7 @@ typedef struct hb_planar {
     hb_planar_hardware hardware;
     hb_tracker tracker;
     hb_reference reference[HB_AXES];
+    hb_profile profile[HB_AXES];
     float integral[HB_AXES];
     float origin[HB_AXES];     /* pose where the mode began */
     float flowing_A[HB_COILS]; /* what the chips see until this tick */

@@ -58,8 +58,12 @@ static void controlPosition(hb_planar* planar, const hb_planar_calibration* page
     uint8_t may_integrate = planar->signals.current_scale >= 1.0F;
     hb_wrench wrench;
     for (uint8_t i = 0; i < HB_AXES; i++) {
-        hb_reference_point point = hb_reference_evaluate(&planar->reference[i]);
+        hb_reference_point point;
         hb_planar_law_input input;
+        if (planar->profile[i].running) {
+            planar->reference[i].held = hb_profile_point(&planar->profile[i]);
+        }
+        point = hb_reference_evaluate(&planar->reference[i]);
         memset(&input, 0, sizeof input);
         input.position = planar->signals.position[i] - planar->origin[i];
         input.speed = planar->signals.speed[i];
@@ -115,8 +119,23 @@ static void keepEffort(hb_planar* planar, const hb_planar_calibration* page, uin
     }
 }
 
-static void startPendingReferences(hb_planar* planar, const hb_planar_calibration* page) {
+/* A travel keeps its points where the reference keeps the one it holds. */
+static void startReference(hb_planar* planar, uint8_t axis, uint8_t is_position) {
     static const hb_plateau_config NoPlateaus = {0}; /* no shape of ours uses them */
+    const hb_reference_config* config = &planar->live.reference[axis];
+    hb_reference* reference = &planar->reference[axis];
+    planar->profile[axis].running = 0;
+    if (is_position && config->shape == HB_PLANAR_TRAPEZOID) {
+        hb_reference_stop(reference);
+        reference->config = *config;
+        hb_profile_start(&planar->profile[axis], reference->held.value, config->amplitude, config->rate,
+                         planar->live.acceleration[axis]);
+    } else {
+        hb_reference_start(reference, config, &NoPlateaus, is_position);
+    }
+}
+
+static void startPendingReferences(hb_planar* planar, const hb_planar_calibration* page) {
     uint8_t is_position = planar->board.mode == HB_PLANAR_POSITION;
     if (planar->board.mode == HB_PLANAR_CURRENTS || !hb_board_take_start(&planar->board)) {
         return;
@@ -125,7 +144,7 @@ static void startPendingReferences(hb_planar* planar, const hb_planar_calibratio
         if (is_position) {
             keepEffort(planar, page, i);
         }
-        hb_reference_start(&planar->reference[i], &planar->live.reference[i], &NoPlateaus, is_position);
+        startReference(planar, i, is_position);
     }
 }
 
@@ -134,7 +153,11 @@ static void publishReference(hb_planar* planar) {
     board->reference_segment = 0;
     board->reference_running = 0;
     for (uint8_t i = 0; i < HB_AXES; i++) {
-        board->reference_running |= planar->reference[i].running;
+        uint8_t travels = planar->profile[i].running;
+        board->reference_running |= planar->reference[i].running || travels;
+        if (travels && board->reference_segment == 0) {
+            board->reference_segment = 1;
+        }
         if (planar->reference[i].segment > board->reference_segment) {
             board->reference_segment = planar->reference[i].segment;
         }
@@ -206,6 +229,7 @@ void hb_planar_enter_mode(void* planar, uint8_t mode) {
     self->rest_ticks = 0;
     for (uint8_t i = 0; i < HB_AXES; i++) {
         hb_reference_clear(&self->reference[i]);
+        self->profile[i].running = 0;
     }
 }
 
@@ -219,6 +243,12 @@ uint8_t hb_planar_check(void* planar, uint16_t offset, float value) {
         fabsf(value) > self->pages[self->board.xcp.active_page].limit_current_A) {
         return HB_ERR_OUT_OF_RANGE;
     }
+    for (uint8_t i = 0; i < HB_AXES; i++) {
+        if (offset == offsetof(hb_planar_live, reference[0].shape) + i * sizeof(hb_reference_config) &&
+            value == (float)HB_SHAPE_PLATEAUS) {
+            return HB_ERR_OUT_OF_RANGE; /* a list of currents is for one phase */
+        }
+    }
     if (offset == offsetof(hb_planar_live, home) && value > 0.5F && hb_board_is_driving(&self->board)) {
         return HB_ERR_ACCESS_DENIED;
     }
@@ -229,6 +259,9 @@ void hb_planar_stop_reference(void* planar) {
     hb_planar* self = (hb_planar*)planar;
     for (uint8_t i = 0; i < HB_AXES; i++) {
         hb_reference_stop(&self->reference[i]);
+        self->profile[i].running = 0;
+        self->reference[i].held.speed = 0.0F;
+        self->reference[i].held.acceleration = 0.0F;
     }
 }
 
@@ -237,7 +270,11 @@ uint8_t hb_planar_advance(void* planar) {
     uint8_t runs = 0;
     for (uint8_t i = 0; i < HB_AXES; i++) {
         hb_reference_advance(&self->reference[i]);
-        runs |= self->reference[i].running;
+        if (self->profile[i].running) {
+            hb_profile_advance(&self->profile[i]);
+            self->reference[i].held = hb_profile_point(&self->profile[i]);
+        }
+        runs |= self->reference[i].running || self->profile[i].running;
     }
     return runs;
 }

@@ -16,7 +16,7 @@ static hb_rom_char ModeChoices[] = "idle|coil currents|position|wrench";
 static hb_rom_char AllocationChoices[] = "set by set|heading, fundamental|heading, all harmonics";
 static hb_rom_char EstimatorChoices[] = "least squares|tracking filter";
 static hb_rom_char DelayChoices[] = "none|one sample|two samples";
-static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine";
+static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine|-|trapezoid";
 
 #define SIGNAL(name, unit, member, limit, text)                                                              \
     HB_SIGNAL(name, unit, HB_FLOAT32, hb_planar_signals, member, 1.0F, -(limit), limit, NULL, text)
@@ -97,12 +97,15 @@ static const hb_signal Signals[] HB_ROM = {
         PAGED("chip.place_y_" #number, "m", chips.place_y_m[number - 1], y, -0.2F, 0.2F, NULL,               \
               "Place of the chip in platen axes")
 #define REFERENCE(axis, index)                                                                               \
-    LIVE("reference." axis ".shape", "", HB_UBYTE, reference[index].shape, 0.0F, 0.0F,                       \
-         HB_SHAPE_PLATEAUS - 1.0F, ShapeChoices, "Shape of the reference"),                                  \
+    LIVE("reference." axis ".shape", "", HB_UBYTE, reference[index].shape, 0.0F, 0.0F, HB_PLANAR_TRAPEZOID,  \
+         ShapeChoices, "Shape of the reference"),                                                            \
         LIVE("reference." axis ".amplitude", "", HB_FLOAT32, reference[index].amplitude, 0.0F, -1000.0F,     \
-             1000.0F, NULL, "m, rad, N or N*m; height of one step of the staircase, end of the ramp"),       \
+             1000.0F, NULL,                                                                                  \
+             "m, rad, N or N*m; height of a step of the staircase, end of the ramp, distance"),              \
         LIVE("reference." axis ".rate", "", HB_FLOAT32, reference[index].rate, 0.0F, -1000.0F, 1000.0F,      \
-             NULL, "Slope of the ramp per second"),                                                          \
+             NULL, "Slope of the ramp, speed of the trapezoid, per second"),                                 \
+        LIVE("reference." axis ".acceleration", "", HB_FLOAT32, acceleration[index], 1.0F, 0.0F, 1000.0F,    \
+             NULL, "Largest acceleration of the trapezoid per second squared"),                              \
         LIVE("reference." axis ".frequency", "Hz", HB_FLOAT32, reference[index].frequency_Hz, 1.0F, 0.0F,    \
              200.0F, NULL, "Frequency of sine; first of chirp and multisine"),                               \
         LIVE("reference." axis ".frequency_end", "Hz", HB_FLOAT32, reference[index].frequency_end_Hz, 10.0F, \
