@@ -77,6 +77,12 @@ SAMPLES = {
         [{"app/wizards/a.cpp": '#include "app/procedures/identify/identify_procedure.h"\nreturn runIdentify(device, config, observer);'},
          {"app/wizards/a.cpp": "void P::runStep(int s) { m_session.runProcedure(name, body, then); }"},
          {"app/cli/a.cpp": '#include "app/procedures/identify/identify_fit.h"\nrunMove(device, config, observer);'}]),
+    "actuators_stay_in_their_folders": (
+        [{"devices/simulated/htm/a.h": "", "devices/open/a.cpp": '#include "devices/simulated/htm/a.h"\n'},
+         {"devices/simulated/htm/a.h": "", "devices/simulated/b.cpp": '#include "devices/firmware/htm/hb_htm.h"\n'}],
+        [{"devices/simulated/htm/a.h": '#include "devices/firmware/htm/hb_htm.h"\n',
+          "devices/simulated/registry/simulated_models.cpp": '#include "devices/simulated/htm/a.h"\n',
+          "devices/open/b.cpp": '#include "devices/simulated/simulated_model.h"\n'}]),
     "firmware_is_plain_c": (
         [{"devices/firmware/a.c": "#include <stdio.h>\n"}, {"devices/firmware/a.cpp": ""},
          {"devices/firmware/a.c": "p = malloc(4);"}, {"devices/firmware/a.c": 'snprintf (t, 4, "%f", x);'}],

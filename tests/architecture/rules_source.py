@@ -235,7 +235,23 @@ def panels_run_whole_procedures(files):
                 yield path, line_of(code, match.start()), f"{match.group(1)}: panels use {', '.join(PROCEDURES)}"
 
 
+REGISTRY = "devices/simulated/registry/simulated_models.cpp"
+ACTUATOR = re.compile(r"devices/(?:simulated|firmware)/(\w+)/")
+
+
+def actuators_stay_in_their_folders(files):
+    """Below the app, an actuator (a folder of devices/simulated) is known to its own folders and one registry."""
+    actuators = {path.split("/")[2] for path in files if re.match(r"devices/simulated/(?!registry/)\w+/", path)}
+    for path, text in files.items():
+        if not is_product(path) or not path.startswith("devices/") or path == REGISTRY:
+            continue
+        for line, _, header in includes(text):
+            named = ACTUATOR.match(header)
+            if named and named[1] in actuators and f"/{named[1]}/" not in path and "/boards/" not in path:
+                yield path, line, f"{header}: only {REGISTRY} names an actuator"
+
+
 RULES = {rule.__name__: rule for rule in (
     allowed_qt, firmware_is_plain_c, firmware_has_its_licence, file_sizes, function_sizes,
     forbidden_words, nothing_unfinished, names_and_guards, cites_only_what_is_here, every_source_has_its_test,
-    panels_run_whole_procedures)}
+    panels_run_whole_procedures, actuators_stay_in_their_folders)}

@@ -1,3 +1,4 @@
+#include "devices/firmware/control/hb_capture.h"
 #include "tests/devices/firmware/board_fixture.h"
 
 #include <gtest/gtest.h>
