@@ -1,0 +1,334 @@
+#include "models/spherical/calibration_fit.h"
+
+#include "control/base/units.h"
+#include "models/spherical/orientation.h"
+#include "models/spherical/orientation_estimator.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::models {
+namespace {
+
+constexpr std::size_t LeastSamples = 20;
+constexpr double LeastMotion_rad = 10.0 * Pi / 180.0;
+constexpr double Normal95 = 1.959963984540054;
+constexpr double Enough_ratio = 0.5;
+/// Rows that hold a gauge: this small a part of the plausible size.
+constexpr double GaugeDeviation_ratio = 1e-4;
+
+struct Oriented {
+    CalibrationSample sample;
+    Eigen::Matrix3d rotation;
+};
+
+/// Normal equations of the unknowns in units of their plausible size, orientations eliminated.
+struct Reduced {
+    Eigen::MatrixXd information;
+    Eigen::VectorXd gradient;
+    double cost = 0.0;
+    double readings = 0.0; ///< number of used readings
+    /// Orientation of each sample: w = base - slope * step
+    std::vector<Eigen::Vector3d> base_rad;
+    std::vector<Eigen::Matrix<double, 3, Eigen::Dynamic>> slope;
+};
+
+class Problem {
+public:
+    Problem(const SphericalCalibration& nominal, const CalibrationConfig& config)
+        : m_nominal(nominal), m_config(config), m_unknowns(calibrationUnknowns(config.selection, nominal)),
+          m_plausible(static_cast<Eigen::Index>(m_unknowns.size())) {
+        for (std::size_t k = 0; k < m_unknowns.size(); ++k) {
+            m_plausible[static_cast<Eigen::Index>(k)] = m_unknowns[k].plausible;
+        }
+    }
+
+    const std::vector<CalibrationUnknown>& unknowns() const { return m_unknowns; }
+    const Eigen::VectorXd& plausible() const { return m_plausible; }
+    bool hasReference() const { return m_hasReference; }
+    const std::vector<Oriented>& samples() const { return m_samples; }
+
+    /// Orientations by the nominal calibration, or as given.
+    Result<void> orient(std::span<const CalibrationSample> samples) {
+        OrientationConfig method;
+        method.method = OrientationMethod::LevenbergMarquardt;
+        method.chiSquareLimit = 1e30; // the calibration is what is missing
+        const auto estimator = OrientationEstimator::make(sensingOf(m_nominal, m_config.deviation_T), method);
+        if (!estimator) {
+            return failure(estimator.error());
+        }
+        for (const CalibrationSample& sample : samples) {
+            if (sample.reference) {
+                m_hasReference = true;
+                m_samples.push_back({sample, *sample.reference});
+                continue;
+            }
+            const OrientationEstimate estimate = estimator->estimate(
+                correctedReadings_T(m_nominal, sample.readings_T, sample.coilCurrent_A), sample.used);
+            if (estimate.verdict == OrientationVerdict::Determined) {
+                m_samples.push_back({sample, estimate.rotation});
+            }
+        }
+        if (m_samples.size() < LeastSamples) {
+            return failure(ErrorCode::Refused,
+                           fmt::format("Only {} samples have a known orientation; the calibration needs {}.",
+                                       m_samples.size(), LeastSamples),
+                           "Record longer, with the rotor moving and no channel clipped.");
+        }
+        return {};
+    }
+
+    double motion_rad() const {
+        double largest_rad = 0.0;
+        for (const Oriented& one : m_samples) {
+            largest_rad = std::max(largest_rad, symmetricError_rad(one.rotation, m_samples.front().rotation));
+        }
+        return largest_rad;
+    }
+
+    Reduced reduced(const SphericalCalibration& calibration) const {
+        const auto count = static_cast<Eigen::Index>(m_unknowns.size());
+        const CalibrationModel model(calibration, m_unknowns);
+        Reduced sum;
+        sum.information.setZero(count, count);
+        sum.gradient.setZero(count);
+        for (const Oriented& one : m_samples) {
+            CalibrationPrediction prediction = model.at(one.rotation, one.sample);
+            const SphericalReadings weight = weights(one.sample);
+            prediction.byUnknown *= m_plausible.asDiagonal();
+            const SphericalReadings residual_T =
+                (one.sample.readings_T - prediction.readings_T)
+                    .cwiseProduct((weight.array() > 0.0).cast<double>().matrix());
+            const Eigen::Matrix<double, 9, 3> weightedTurn = weight.asDiagonal() * prediction.byRotation;
+            Eigen::Matrix3d own = weightedTurn.transpose() * prediction.byRotation;
+            Eigen::Vector3d pull = weightedTurn.transpose() * residual_T;
+            if (one.sample.reference) {
+                const double certainty = std::pow(m_config.referenceDeviation_rad, -2);
+                const Eigen::Vector3d off_rad =
+                    vectorOfRotation(one.rotation * one.sample.reference->transpose());
+                own += certainty * Eigen::Matrix3d::Identity();
+                pull -= certainty * off_rad;
+                sum.cost += certainty * off_rad.squaredNorm();
+            }
+            const Eigen::Matrix3d inverse = own.inverse();
+            const Eigen::Matrix<double, 3, Eigen::Dynamic> cross =
+                weightedTurn.transpose() * prediction.byUnknown;
+            const Eigen::Matrix<double, 9, Eigen::Dynamic> weighted =
+                weight.asDiagonal() * prediction.byUnknown;
+            sum.base_rad.emplace_back(inverse * pull);
+            sum.slope.emplace_back(inverse * cross);
+            sum.information += prediction.byUnknown.transpose() * weighted;
+            sum.information -= cross.transpose() * sum.slope.back();
+            sum.gradient += weighted.transpose() * residual_T - cross.transpose() * sum.base_rad.back();
+            sum.cost += residual_T.dot(weight.cwiseProduct(residual_T));
+            sum.readings += static_cast<double>((weight.array() > 0.0).count());
+        }
+        holdGauges(sum, calibration);
+        return sum;
+    }
+
+    void turn(const Reduced& reduced, const Eigen::VectorXd& step) {
+        for (std::size_t i = 0; i < m_samples.size(); ++i) {
+            const Eigen::Vector3d w = reduced.base_rad[i] - reduced.slope[i] * step;
+            m_samples[i].rotation = rotationOfVector(w) * m_samples[i].rotation;
+        }
+    }
+
+    int gauges() const { return (hasScaleGauge() ? 1 : 0) + (hasTurnGauge() ? 3 : 0); }
+    bool hasScaleGauge() const { return m_config.selection.strength && m_config.selection.gains; }
+    bool hasTurnGauge() const {
+        return m_config.selection.directions && m_config.selection.turns && !m_hasReference;
+    }
+
+private:
+    SphericalReadings weights(const CalibrationSample& sample) const {
+        SphericalReadings weight;
+        for (int i = 0; i < ChannelCount; ++i) {
+            weight[i] = sample.used[static_cast<std::size_t>(i)] ? std::pow(m_config.deviation_T, -2) : 0.0;
+        }
+        return weight;
+    }
+
+    /// A row that keeps the sum of some unknowns where the nominal calibration has it; gauges are exact, so
+    /// that the residual of the row is zero at every step.
+    void holdGauges(Reduced& sum, const SphericalCalibration&) const {
+        const double certainty = std::pow(GaugeDeviation_ratio, -2);
+        const auto hold = [&](CalibrationKind kind, int component) {
+            Eigen::VectorXd row = Eigen::VectorXd::Zero(m_plausible.size());
+            for (std::size_t k = 0; k < m_unknowns.size(); ++k) {
+                const CalibrationUnknown& unknown = m_unknowns[k];
+                if (unknown.kind == kind && (component < 0 || unknown.component == component)) {
+                    row[static_cast<Eigen::Index>(k)] = 1.0;
+                }
+            }
+            sum.information += certainty * row * row.transpose();
+        };
+        if (hasScaleGauge()) {
+            hold(CalibrationKind::Gain, -1);
+        }
+        for (int c = 0; hasTurnGauge() && c < 3; ++c) {
+            hold(CalibrationKind::Turn, c);
+        }
+    }
+
+    const SphericalCalibration& m_nominal;
+    const CalibrationConfig& m_config;
+    std::vector<CalibrationUnknown> m_unknowns;
+    Eigen::VectorXd m_plausible;
+    std::vector<Oriented> m_samples;
+    bool m_hasReference = false;
+};
+
+CalibrationExcitation excitationOf(const Problem& problem, const Reduced& reduced) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(reduced.information);
+    const double least = eigen.eigenvalues()[0];
+    CalibrationExcitation excitation;
+    excitation.weakest_ratio = least > 0.0 ? Normal95 / std::sqrt(least) : HUGE_VAL;
+    const Eigen::VectorXd direction = eigen.eigenvectors().col(0);
+    Eigen::Index largest = 0;
+    direction.cwiseAbs().maxCoeff(&largest);
+    excitation.weakest = direction.cwiseProduct(problem.plausible());
+    excitation.name = problem.unknowns()[static_cast<std::size_t>(largest)].name;
+    return excitation;
+}
+
+Result<void> checkConfig(const CalibrationConfig& config) {
+    if (!(config.deviation_T > 0.0) || !(config.referenceDeviation_rad > 0.0) || config.iterations < 1) {
+        return failure(ErrorCode::OutOfRange, "A calibration needs positive deviations of readings and known "
+                                              "orientations and at least one iteration.");
+    }
+    const CalibrationSelection& s = config.selection;
+    if (!(s.strength || s.harmonics || s.gains || s.skews || s.offsets || s.turns || s.directions ||
+          s.drift || s.coil)) {
+        return failure(ErrorCode::OutOfRange, "Nothing is selected to be calibrated.");
+    }
+    return {};
+}
+
+double valueOf(const SphericalCalibration& calibration, const CalibrationUnknown& unknown, double moved) {
+    const SensorCalibration& sensor = calibration.sensors[static_cast<std::size_t>(unknown.sensor)];
+    switch (unknown.kind) {
+    case CalibrationKind::Strength:
+        return calibration.field.strength_T;
+    case CalibrationKind::Harmonic:
+        return calibration.field.harmonics[static_cast<std::size_t>(unknown.component)].amplitude_T;
+    case CalibrationKind::Gain:
+        return sensor.gain_ratio[unknown.component];
+    case CalibrationKind::Skew:
+        return sensor.skew_ratio[unknown.component];
+    case CalibrationKind::Offset:
+        return sensor.offset_T[unknown.component];
+    case CalibrationKind::Drift:
+        return calibration.drift_per_K;
+    case CalibrationKind::Coil:
+        return calibration.coil_T_per_A[3 * unknown.sensor + unknown.component];
+    case CalibrationKind::Turn:
+    case CalibrationKind::Direction:
+        break;
+    }
+    return moved;
+}
+
+} // namespace
+
+Result<CalibrationExcitation> calibrationExcitation(const SphericalCalibration& nominal,
+                                                    std::span<const CalibrationSample> samples,
+                                                    const CalibrationConfig& config) {
+    if (auto checked = checkConfig(config); !checked) {
+        return failure(checked.error());
+    }
+    Problem problem(nominal, config);
+    if (auto oriented = problem.orient(samples); !oriented) {
+        return failure(oriented.error());
+    }
+    return excitationOf(problem, problem.reduced(nominal));
+}
+
+double calibrationGain(const SphericalCalibration& nominal, const CalibrationExcitation& excitation,
+                       const CalibrationConfig& config, const Eigen::Matrix3d& rotation) {
+    const auto unknowns = calibrationUnknowns(config.selection, nominal);
+    const CalibrationPrediction prediction = CalibrationModel(nominal, unknowns).at(rotation, {});
+    const SphericalReadings change_T = prediction.byUnknown * excitation.weakest;
+    const Eigen::Matrix3d own = prediction.byRotation.transpose() * prediction.byRotation;
+    const Eigen::Vector3d pull = prediction.byRotation.transpose() * change_T;
+    const double unexplained = change_T.squaredNorm() - pull.dot(own.inverse() * pull);
+    return unexplained / (config.deviation_T * config.deviation_T);
+}
+
+Result<CalibrationFit> calibrate(const SphericalCalibration& nominal,
+                                 std::span<const CalibrationSample> samples,
+                                 const CalibrationConfig& config) {
+    if (auto checked = checkConfig(config); !checked) {
+        return failure(checked.error());
+    }
+    Problem problem(nominal, config);
+    if (auto oriented = problem.orient(samples); !oriented) {
+        return failure(oriented.error());
+    }
+    if (problem.motion_rad() < LeastMotion_rad) {
+        return failure(ErrorCode::Refused,
+                       fmt::format("The rotor moved by only {:.1f} degrees in the recording.",
+                                   radiansToDegrees(problem.motion_rad())),
+                       "Turn it through the whole workspace, tilt and spin.");
+    }
+    CalibrationFit fit;
+    fit.calibration = nominal;
+    Eigen::VectorXd moved = Eigen::VectorXd::Zero(problem.plausible().size());
+    Reduced reduced = problem.reduced(nominal);
+    for (double size = 1.0; size > 1e-7 && fit.iterations < config.iterations; ++fit.iterations) {
+        if (config.isStopped && config.isStopped()) {
+            return failure(ErrorCode::Interrupted, "The calibration was stopped.");
+        }
+        const CalibrationExcitation excitation = excitationOf(problem, reduced);
+        if (excitation.weakest_ratio >= Enough_ratio) {
+            return failure(ErrorCode::Refused,
+                           fmt::format("The motion does not determine the {}.", excitation.name),
+                           "Record orientations that differ more in tilt and spin, or keep it at its "
+                           "nominal value.");
+        }
+        Eigen::VectorXd step = reduced.information.ldlt().solve(reduced.gradient);
+        // Linear only near by: at most the plausible size at once.
+        step *= std::min(1.0, 1.0 / std::max(1e-12, step.cwiseAbs().maxCoeff()));
+        size = step.cwiseAbs().maxCoeff();
+        problem.turn(reduced, step);
+        const Eigen::VectorXd step_SI = step.cwiseProduct(problem.plausible());
+        fit.calibration = steppedCalibration(fit.calibration, problem.unknowns(), step_SI);
+        moved += step_SI;
+        reduced = problem.reduced(fit.calibration);
+    }
+    const auto unknowns = static_cast<double>(problem.unknowns().size());
+    const double orientations =
+        problem.hasReference() ? 0.0 : 3.0 * static_cast<double>(problem.samples().size());
+    fit.chiSquare = reduced.cost;
+    fit.freedom = reduced.readings - orientations - unknowns + problem.gauges();
+    fit.excess_ratio = std::sqrt(fit.chiSquare / std::max(1.0, fit.freedom));
+    const Eigen::MatrixXd covariance = reduced.information.inverse();
+    for (std::size_t k = 0; k < problem.unknowns().size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        const CalibrationUnknown& unknown = problem.unknowns()[k];
+        const double deviation = std::sqrt(covariance(row, row)) * unknown.plausible;
+        fit.values.push_back({unknown, valueOf(fit.calibration, unknown, moved[row]),
+                              Normal95 * std::max(1.0, fit.excess_ratio) * deviation});
+    }
+    for (const Oriented& one : problem.samples()) {
+        fit.rotation.push_back(one.rotation);
+    }
+    if (problem.hasScaleGauge()) {
+        fit.notes.emplace_back(
+            "The common scale of all gains cannot be told from the strength q: their mean is "
+            "one. Only a known field fixes it; it does not change the orientation.");
+    }
+    if (problem.hasTurnGauge()) {
+        fit.notes.emplace_back(
+            "A common rotation of all sensors cannot be told from one of the rotor: the mean "
+            "turn is zero. Only a known orientation fixes it.");
+    }
+    return fit;
+}
+
+} // namespace halbench::models
