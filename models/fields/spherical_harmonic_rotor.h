@@ -8,8 +8,7 @@ namespace halbench::models {
 
 /// A ball-shaped four-pole permanent magnet: shell between core and outer radius whose radial magnetisation
 /// follows sin^2(theta) cos(2 phi). Outside, its field is the spherical harmonic of degree 2 and order 2.
-/// Source: Li, Liu and Li, A Sensing System of the Halbach Array Permanent Magnet Spherical Motor Based on
-/// 3-D Hall Sensor, 2017.
+/// Source: resources/help/spherical-theory.md section 3.1.
 struct SphericalRotorMagnet {
     double outerRadius_m = 45.6e-3;
     double coreRadius_m = 26.5e-3;

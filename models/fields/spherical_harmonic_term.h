@@ -13,8 +13,7 @@ namespace halbench::models {
 ///   B_phi = A m/(l+1) (r_ref/r)^(l+2) U(theta)/sin(theta) sin(m phi),   l degree, m order.
 /// U = sin^m(theta) G(cos theta) is the associated Legendre function scaled so that the lowest coefficient of
 /// G is +-1: U22 = s^2, U42 = s^2 (7 c^2 - 1), U62 = s^2 (33 c^4 - 18 c^2 + 1), U66 = s^6.
-/// Source: Li, Liu and Li, A Sensing System of the Halbach Array Permanent Magnet Spherical Motor Based on
-/// 3-D Hall Sensor, 2017.
+/// Source: resources/help/spherical-theory.md section 3.4.
 struct SphericalHarmonicTerm {
     int degree = 2;
     int order = 2;

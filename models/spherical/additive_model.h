@@ -11,8 +11,7 @@ namespace halbench::models {
 ///   Phi   = -q cos 2G sin 2B sin A - 2 q sin 2G cos B cos A
 /// Exact for the main sensor (0, 0, 0). For any other it is no physical sensor: no fixed rotation makes the
 /// angles subtract. Kept for reproduction and crossed comparisons.
-/// Source: Li, Liu and Li, A Sensing System of the Halbach Array Permanent Magnet Spherical Motor Based on
-/// 3-D Hall Sensor, 2017.
+/// Source: resources/help/spherical-theory.md section 4.
 struct AdditiveModel {
     double strength_T = 0.0991864782; ///< q, at the sensors' radius
     SensorTriple placement = publishedPlacement();

@@ -8,8 +8,7 @@ namespace halbench::models {
 /// Orientation of the spherical rotor: rotation matrix M from rotor frame (d, q, p; p is the shaft) to stator
 /// frame (X, Y, Z), active, about fixed stator axes in the order Z, then Y, then X:
 ///   M = Rx(alpha) Ry(beta) Rz(gamma).
-/// Euler singularity only at beta = +-90 degrees. Source: Li, Liu and Li, A Sensing System of the Halbach
-/// Array Permanent Magnet Spherical Motor Based on 3-D Hall Sensor, 2017.
+/// Euler singularity only at beta = +-90 degrees. Source: resources/help/spherical-theory.md section 2.
 struct OrientationAngles {
     double alpha_rad = 0.0;
     double beta_rad = 0.0;
