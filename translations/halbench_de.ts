@@ -95,6 +95,102 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>Widen the region, reduce the distance or raise the range of the sensor.</source>
+        <translation>Den Bereich erweitern, den Abstand verkleinern oder den Messbereich des Sensors erhöhen.</translation>
+    </message>
+    <message>
+        <source>The constraints leave no pair of places for the sensors.</source>
+        <translation>Die Nebenbedingungen lassen kein Paar von Orten für die Sensoren übrig.</translation>
+    </message>
+    <message>
+        <source>A placement needs sensors outside the rotor, a positive strength and noise, and at least one finalist.</source>
+        <translation>Eine Anordnung braucht Sensoren außerhalb des Läufers, positive Stärke und positives Rauschen und mindestens einen Endrundenplatz.</translation>
+    </message>
+    <message>
+        <source>Use the objective reading, or the exact device.</source>
+        <translation>Das Ziel reading oder das exakte Modell verwenden.</translation>
+    </message>
+    <message>
+        <source>The additive device has no tensor to condition.</source>
+        <translation>Das additive Modell hat keinen Tensor, dessen Kondition zu bestimmen wäre.</translation>
+    </message>
+    <message>
+        <source>The step of the placement lattice must divide 45 degrees and be at least 1 degree.</source>
+        <translation>Die Schrittweite des Rasters der Anordnungen muss 45 Grad teilen und mindestens 1 Grad sein.</translation>
+    </message>
+    <message>
+        <source>{} {} of sensor {}</source>
+        <translation>{} {} von Sensor {}</translation>
+    </message>
+    <message>
+        <source>coil field</source>
+        <translation>Feld der Spule</translation>
+    </message>
+    <message>
+        <source>place, direction</source>
+        <translation>Ort, Richtung</translation>
+    </message>
+    <message>
+        <source>frame about</source>
+        <translation>Einbaulage um</translation>
+    </message>
+    <message>
+        <source>harmonic ({},{})</source>
+        <translation>Kugelflächenfunktion ({},{})</translation>
+    </message>
+    <message>
+        <source>drift of {} with temperature</source>
+        <translation>Drift von {} mit der Temperatur</translation>
+    </message>
+    <message>
+        <source>strength {}</source>
+        <translation>Stärke {}</translation>
+    </message>
+    <message>
+        <source>A common rotation of all sensors cannot be told from one of the rotor: the mean turn is zero. Only a known orientation fixes it.</source>
+        <translation>Eine gemeinsame Drehung aller Sensoren ist von einer des Läufers nicht zu trennen: Die mittlere Drehung ist null. Nur eine bekannte Lage legt sie fest.</translation>
+    </message>
+    <message>
+        <source>The common scale of all gains cannot be told from the strength q: their mean is one. Only a known field fixes it; it does not change the orientation.</source>
+        <translation>Der gemeinsame Faktor aller Verstärkungen ist von der Stärke q nicht zu trennen: Ihr Mittel ist eins. Nur ein bekanntes Feld legt ihn fest; die Lage ändert er nicht.</translation>
+    </message>
+    <message>
+        <source>Record orientations that differ more in tilt and spin, or keep it at its nominal value.</source>
+        <translation>Lagen aufzeichnen, die sich in Neigung und Drehung stärker unterscheiden, oder den Nennwert behalten.</translation>
+    </message>
+    <message>
+        <source>The motion does not determine the {}.</source>
+        <translation>Die Bewegung bestimmt nicht: {}.</translation>
+    </message>
+    <message>
+        <source>The calibration was stopped.</source>
+        <translation>Die Kalibrierung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Turn it through the whole workspace, tilt and spin.</source>
+        <translation>Ihn durch den ganzen Arbeitsbereich bewegen: neigen und drehen.</translation>
+    </message>
+    <message>
+        <source>The rotor moved by only {} degrees in the recording.</source>
+        <translation>Der Läufer bewegte sich in der Aufzeichnung nur um {} Grad.</translation>
+    </message>
+    <message>
+        <source>Nothing is selected to be calibrated.</source>
+        <translation>Zum Kalibrieren ist nichts ausgewählt.</translation>
+    </message>
+    <message>
+        <source>A calibration needs positive deviations of readings and known orientations and at least one iteration.</source>
+        <translation>Eine Kalibrierung braucht positive Abweichungen der Messwerte und der bekannten Lagen und mindestens einen Schritt.</translation>
+    </message>
+    <message>
+        <source>Record longer, with the rotor moving and no channel clipped.</source>
+        <translation>Länger aufzeichnen, mit bewegtem Läufer und ohne übersteuerten Kanal.</translation>
+    </message>
+    <message>
+        <source>Only {} samples have a known orientation; the calibration needs {}.</source>
+        <translation>Nur {} Abtastwerte haben eine bekannte Lage; die Kalibrierung braucht {}.</translation>
+    </message>
+    <message>
         <source>m, rad, N or N*m; height of a step of the staircase, end of the ramp, distance</source>
         <translation>m, rad, N oder N*m; Höhe einer Stufe der Treppe, Ende der Rampe, Weg</translation>
     </message>

@@ -95,6 +95,102 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>Widen the region, reduce the distance or raise the range of the sensor.</source>
+        <translation>请扩大区域、减小距离或提高传感器量程。</translation>
+    </message>
+    <message>
+        <source>The constraints leave no pair of places for the sensors.</source>
+        <translation>约束条件没有给传感器留下任何一对位置。</translation>
+    </message>
+    <message>
+        <source>A placement needs sensors outside the rotor, a positive strength and noise, and at least one finalist.</source>
+        <translation>布置需要传感器位于转子之外、强度和噪声为正，并至少一个入围方案。</translation>
+    </message>
+    <message>
+        <source>Use the objective reading, or the exact device.</source>
+        <translation>请使用目标 reading，或使用精确模型。</translation>
+    </message>
+    <message>
+        <source>The additive device has no tensor to condition.</source>
+        <translation>加性模型没有可评定条件数的张量。</translation>
+    </message>
+    <message>
+        <source>The step of the placement lattice must divide 45 degrees and be at least 1 degree.</source>
+        <translation>布置网格的步长必须整除 45 度且至少为 1 度。</translation>
+    </message>
+    <message>
+        <source>{} {} of sensor {}</source>
+        <translation>{} {}，传感器 {}</translation>
+    </message>
+    <message>
+        <source>coil field</source>
+        <translation>线圈磁场</translation>
+    </message>
+    <message>
+        <source>place, direction</source>
+        <translation>位置，方向</translation>
+    </message>
+    <message>
+        <source>frame about</source>
+        <translation>安装姿态，绕</translation>
+    </message>
+    <message>
+        <source>harmonic ({},{})</source>
+        <translation>球谐项 ({},{})</translation>
+    </message>
+    <message>
+        <source>drift of {} with temperature</source>
+        <translation>{} 随温度的漂移</translation>
+    </message>
+    <message>
+        <source>strength {}</source>
+        <translation>强度 {}</translation>
+    </message>
+    <message>
+        <source>A common rotation of all sensors cannot be told from one of the rotor: the mean turn is zero. Only a known orientation fixes it.</source>
+        <translation>所有传感器的公共旋转无法与转子的旋转区分：平均转角取零。只有已知姿态才能确定它。</translation>
+    </message>
+    <message>
+        <source>The common scale of all gains cannot be told from the strength q: their mean is one. Only a known field fixes it; it does not change the orientation.</source>
+        <translation>所有增益的公共比例无法与强度 q 区分：其均值取 1。只有已知磁场才能确定它；它不影响姿态。</translation>
+    </message>
+    <message>
+        <source>Record orientations that differ more in tilt and spin, or keep it at its nominal value.</source>
+        <translation>请记录倾斜和自转差异更大的姿态，或保持其标称值。</translation>
+    </message>
+    <message>
+        <source>The motion does not determine the {}.</source>
+        <translation>该运动不能确定：{}。</translation>
+    </message>
+    <message>
+        <source>The calibration was stopped.</source>
+        <translation>标定已停止。</translation>
+    </message>
+    <message>
+        <source>Turn it through the whole workspace, tilt and spin.</source>
+        <translation>请使其经过整个工作范围：倾斜并自转。</translation>
+    </message>
+    <message>
+        <source>The rotor moved by only {} degrees in the recording.</source>
+        <translation>记录中转子只转动了 {} 度。</translation>
+    </message>
+    <message>
+        <source>Nothing is selected to be calibrated.</source>
+        <translation>没有选择要标定的内容。</translation>
+    </message>
+    <message>
+        <source>A calibration needs positive deviations of readings and known orientations and at least one iteration.</source>
+        <translation>标定需要读数和已知姿态的标准差为正，并至少迭代一次。</translation>
+    </message>
+    <message>
+        <source>Record longer, with the rotor moving and no channel clipped.</source>
+        <translation>请延长记录，使转子运动且没有通道饱和。</translation>
+    </message>
+    <message>
+        <source>Only {} samples have a known orientation; the calibration needs {}.</source>
+        <translation>只有 {} 个采样的姿态已知；标定需要 {} 个。</translation>
+    </message>
+    <message>
         <source>m, rad, N or N*m; height of a step of the staircase, end of the ramp, distance</source>
         <translation>m、rad、N 或 N*m；阶梯的单级高度，斜坡的终点，行程</translation>
     </message>
