@@ -47,7 +47,7 @@ bool DriveControl::hasSeveralAxes() const {
     const devices::Catalogue& catalogue = m_bench.session().catalogue();
     return catalogue.signalForRole("position").empty() &&
            std::any_of(catalogue.signals.begin(), catalogue.signals.end(),
-                       [](const devices::SignalSpec& spec) { return spec.role.starts_with("position."); });
+                       [](const SignalSpec& spec) { return spec.role.starts_with("position."); });
 }
 
 bool DriveControl::isArmed() const {
