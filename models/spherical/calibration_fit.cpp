@@ -128,7 +128,7 @@ public:
             sum.cost += residual_T.dot(weight.cwiseProduct(residual_T));
             sum.readings += static_cast<double>((weight.array() > 0.0).count());
         }
-        holdGauges(sum, calibration);
+        holdGauges(sum);
         return sum;
     }
 
@@ -156,7 +156,7 @@ private:
 
     /// A row that keeps the sum of some unknowns where the nominal calibration has it; gauges are exact, so
     /// that the residual of the row is zero at every step.
-    void holdGauges(Reduced& sum, const SphericalCalibration&) const {
+    void holdGauges(Reduced& sum) const {
         const double certainty = std::pow(GaugeDeviation_ratio, -2);
         const auto hold = [&](CalibrationKind kind, int component) {
             Eigen::VectorXd row = Eigen::VectorXd::Zero(m_plausible.size());
@@ -287,7 +287,7 @@ Result<CalibrationFit> calibrate(const SphericalCalibration& nominal,
         const CalibrationExcitation excitation = excitationOf(problem, reduced);
         if (excitation.weakest_ratio >= Enough_ratio) {
             return failure(ErrorCode::Refused,
-                           fmt::format("The motion does not determine the {}.", excitation.name),
+                           fmt::format("The motion does not determine this value: {}.", excitation.name),
                            "Record orientations that differ more in tilt and spin, or keep it at its "
                            "nominal value.");
         }

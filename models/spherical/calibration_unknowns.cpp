@@ -14,6 +14,7 @@ namespace {
 constexpr std::array<const char*, 3> Channels = {"R", "Theta", "Phi"};
 constexpr std::array<const char*, 3> Pairs = {"R-Theta", "R-Phi", "Theta-Phi"};
 constexpr std::array<const char*, 3> Axes = {"x", "y", "z"};
+constexpr std::array<const char*, 3> Directions = {"1", "2", ""};
 
 // Plausible errors of parts and assembly.
 constexpr double Gain_ratio = 0.05;
@@ -30,8 +31,8 @@ struct PerSensor {
     CalibrationKind kind;
     int components;
     double plausible;
-    const char* what;
-    const std::array<const char*, 3>& names;
+    fmt::string_view name; ///< with the component and the sensor filled in
+    const std::array<const char*, 3>& parts;
 };
 
 /// The two directions in which a place can move on its sphere.
@@ -55,7 +56,7 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const CalibrationSelection& 
     std::vector<CalibrationUnknown> unknowns;
     if (selection.strength) {
         unknowns.push_back({CalibrationKind::Strength, 0, 0, Strength_ratio * nominal.field.strength_T,
-                            fmt::format("strength {}", "q")});
+                            fmt::format("field strength {}", "q")});
     }
     if (selection.drift) {
         unknowns.push_back(
@@ -67,18 +68,21 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const CalibrationSelection& 
                             fmt::format("harmonic ({},{})", term.degree, term.order)});
     }
     const std::array parts = {
-        PerSensor{selection.gains, CalibrationKind::Gain, 3, Gain_ratio, "gain", Channels},
-        PerSensor{selection.skews, CalibrationKind::Skew, 3, Skew_ratio, "skew", Pairs},
-        PerSensor{selection.offsets, CalibrationKind::Offset, 3, Offset_T, "offset", Channels},
-        PerSensor{selection.turns, CalibrationKind::Turn, 3, Angle_rad, "frame about", Axes},
-        PerSensor{selection.directions, CalibrationKind::Direction, 2, Angle_rad, "place, direction", Axes},
-        PerSensor{selection.coil, CalibrationKind::Coil, 3, Coil_T_per_A, "coil field", Channels}};
+        PerSensor{selection.gains, CalibrationKind::Gain, 3, Gain_ratio, "gain {} of sensor {}", Channels},
+        PerSensor{selection.skews, CalibrationKind::Skew, 3, Skew_ratio, "skew {} of sensor {}", Pairs},
+        PerSensor{selection.offsets, CalibrationKind::Offset, 3, Offset_T, "offset {} of sensor {}",
+                  Channels},
+        PerSensor{selection.turns, CalibrationKind::Turn, 3, Angle_rad, "frame about {} of sensor {}", Axes},
+        PerSensor{selection.directions, CalibrationKind::Direction, 2, Angle_rad,
+                  "place along {} of sensor {}", Directions},
+        PerSensor{selection.coil, CalibrationKind::Coil, 3, Coil_T_per_A, "coil field {} of sensor {}",
+                  Channels}};
     for (int sensor = 0; sensor < 3; ++sensor) {
         for (const PerSensor& part : parts) {
             for (int k = 0; part.isFitted && k < part.components; ++k) {
-                unknowns.push_back({part.kind, sensor, k, part.plausible,
-                                    fmt::format("{} {} of sensor {}", part.what,
-                                                part.names[static_cast<std::size_t>(k)], sensor)});
+                unknowns.push_back(
+                    {part.kind, sensor, k, part.plausible,
+                     fmt::format(fmt::runtime(part.name), part.parts[static_cast<std::size_t>(k)], sensor)});
             }
         }
     }

@@ -3,6 +3,8 @@
 #include "control/base/assert.h"
 #include "control/base/units.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -61,11 +63,11 @@ Result<void> checkRotorMotion(const RotorMotionConfig& config) {
     for (std::size_t i = 0; i < config.table.size(); ++i) {
         if (!isFinite(config.table[i].angles) || !std::isfinite(config.table[i].time_s)) {
             return failure(ErrorCode::NotFinite,
-                           "Row " + std::to_string(i + 1) + " of the table of poses is not finite.");
+                           fmt::format("Row {} of the table of poses is not finite.", i + 1));
         }
         if (i > 0 && config.table[i].time_s <= config.table[i - 1].time_s) {
-            return failure(ErrorCode::OutOfRange, "The time in row " + std::to_string(i + 1) +
-                                                      " of the table of poses does not rise.");
+            return failure(ErrorCode::OutOfRange,
+                           fmt::format("The time in row {} of the table of poses does not rise.", i + 1));
         }
     }
     return {};

@@ -154,14 +154,14 @@ Result<void> setSphericalParameter(SphericalParameters& parameters, std::string_
         return failure(ErrorCode::UnknownName, fmt::format("the spherical motor has no parameter '{}'", key),
                        "Known keys: " + sphericalParameterKeys() + ".");
     }
+    const std::string hint = fmt::format("Allowed: {} to {}{}{}{}. Known keys: {}.", spec->min, spec->max,
+                                         spec->unit.empty() ? "" : " ", spec->unit,
+                                         spec->isWhole ? ", whole numbers" : "", sphericalParameterKeys());
     if (!std::isfinite(value)) {
-        return failure(ErrorCode::NotFinite, fmt::format("the value of '{}' is not a finite number", key));
+        return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", spec->key), hint);
     }
     if (value < spec->min || value > spec->max || (spec->isWhole && value != std::round(value))) {
-        return failure(ErrorCode::OutOfRange, fmt::format("'{}' cannot be {}", key, value),
-                       fmt::format("It is {} from {} to {} {}.",
-                                   spec->isWhole ? "a whole number" : "a number", spec->min, spec->max,
-                                   spec->unit));
+        return failure(ErrorCode::OutOfRange, fmt::format("{} = {} is out of range", spec->key, value), hint);
     }
     if (spec->value != nullptr) {
         spec->value(parameters) = value * spec->toSi;

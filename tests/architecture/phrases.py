@@ -36,6 +36,7 @@ NO_SENTENCES = {"the board ran firmware '", "give them: --ran GAINS.json", "reco
                 "{}, from {}", ", byte order mark", "{} column{}:"}
 # of these only texts with something filled in are messages; the others are help of the command line
 ONLY_FILLED_IN = ("models/htm/htm_parameters.cpp", "models/planar/planar_parameters.cpp",
+                  "models/spherical/spherical_parameters.cpp",
                   "app/procedures/excite/move_reference.cpp")
 
 TOKEN = re.compile(r'R"([^(\s]*)\((.*?)\)\1"|//[^\n]*|/\*.*?\*/|^[ \t]*#[^\n]*|\'(?:[^\'\\\n]|\\.){1,4}\''
