@@ -95,6 +95,46 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>The time in row {} of the table of poses does not rise.</source>
+        <translation>Die Zeit in Zeile {} der Tabelle der Lagen steigt nicht.</translation>
+    </message>
+    <message>
+        <source>Row {} of the table of poses is not finite.</source>
+        <translation>Zeile {} der Tabelle der Lagen ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>coil field {} of sensor {}</source>
+        <translation>Spulenfeld {} von Sensor {}</translation>
+    </message>
+    <message>
+        <source>place along {} of sensor {}</source>
+        <translation>Platz längs {} von Sensor {}</translation>
+    </message>
+    <message>
+        <source>frame about {} of sensor {}</source>
+        <translation>Verdrehung um {} von Sensor {}</translation>
+    </message>
+    <message>
+        <source>offset {} of sensor {}</source>
+        <translation>Nullpunktfehler {} von Sensor {}</translation>
+    </message>
+    <message>
+        <source>skew {} of sensor {}</source>
+        <translation>Schiefe {} von Sensor {}</translation>
+    </message>
+    <message>
+        <source>gain {} of sensor {}</source>
+        <translation>Verstärkung {} von Sensor {}</translation>
+    </message>
+    <message>
+        <source>field strength {}</source>
+        <translation>Feldstärke {}</translation>
+    </message>
+    <message>
+        <source>The motion does not determine this value: {}.</source>
+        <translation>Die Bewegung bestimmt diesen Wert nicht: {}.</translation>
+    </message>
+    <message>
         <source>Widen the region, reduce the distance or raise the range of the sensor.</source>
         <translation>Den Bereich erweitern, den Abstand verkleinern oder den Messbereich des Sensors erhöhen.</translation>
     </message>
@@ -119,32 +159,12 @@
         <translation>Die Schrittweite des Rasters der Anordnungen muss 45 Grad teilen und mindestens 1 Grad sein.</translation>
     </message>
     <message>
-        <source>{} {} of sensor {}</source>
-        <translation>{} {} von Sensor {}</translation>
-    </message>
-    <message>
-        <source>coil field</source>
-        <translation>Feld der Spule</translation>
-    </message>
-    <message>
-        <source>place, direction</source>
-        <translation>Ort, Richtung</translation>
-    </message>
-    <message>
-        <source>frame about</source>
-        <translation>Einbaulage um</translation>
-    </message>
-    <message>
         <source>harmonic ({},{})</source>
         <translation>Kugelflächenfunktion ({},{})</translation>
     </message>
     <message>
         <source>drift of {} with temperature</source>
         <translation>Drift von {} mit der Temperatur</translation>
-    </message>
-    <message>
-        <source>strength {}</source>
-        <translation>Stärke {}</translation>
     </message>
     <message>
         <source>A common rotation of all sensors cannot be told from one of the rotor: the mean turn is zero. Only a known orientation fixes it.</source>
@@ -157,10 +177,6 @@
     <message>
         <source>Record orientations that differ more in tilt and spin, or keep it at its nominal value.</source>
         <translation>Lagen aufzeichnen, die sich in Neigung und Drehung stärker unterscheiden, oder den Nennwert behalten.</translation>
-    </message>
-    <message>
-        <source>The motion does not determine the {}.</source>
-        <translation>Die Bewegung bestimmt nicht: {}.</translation>
     </message>
     <message>
         <source>The calibration was stopped.</source>
@@ -7283,292 +7299,8 @@
         <translation>Die Posentabelle ist leer.</translation>
     </message>
     <message>
-        <source>Row {}</source>
-        <translation>Zeile {}</translation>
-    </message>
-    <message>
-        <source>{} of the table of poses is not finite.</source>
-        <translation>{} der Posentabelle ist nicht endlich.</translation>
-    </message>
-    <message>
-        <source>The time in row {}</source>
-        <translation>Die Zeit in Zeile {}</translation>
-    </message>
-    <message>
-        <source>{} of the table of poses does not rise.</source>
-        <translation>{} der Posentabelle steigt nicht an.</translation>
-    </message>
-    <message>
-        <source>gain error of sensor </source>
-        <translation>Verstärkungsfehler von Sensor </translation>
-    </message>
-    <message>
-        <source>; drawn</source>
-        <translation>; gezogen</translation>
-    </message>
-    <message>
-        <source>offset of sensor </source>
-        <translation>Offset von Sensor </translation>
-    </message>
-    <message>
-        <source>mounting error of sensor </source>
-        <translation>Einbaufehler von Sensor </translation>
-    </message>
-    <message>
-        <source> about stator </source>
-        <translation> um die Statorachse </translation>
-    </message>
-    <message>
-        <source>place error of sensor </source>
-        <translation>Lagefehler von Sensor </translation>
-    </message>
-    <message>
-        <source> along stator </source>
-        <translation> entlang der Statorachse </translation>
-    </message>
-    <message>
-        <source>placement of sensor </source>
-        <translation>Anordnung von Sensor </translation>
-    </message>
-    <message>
-        <source> about X</source>
-        <translation> um X</translation>
-    </message>
-    <message>
-        <source> about Y</source>
-        <translation> um Y</translation>
-    </message>
-    <message>
-        <source> about Z</source>
-        <translation> um Z</translation>
-    </message>
-    <message>
-        <source>channel R of sensor </source>
-        <translation>Kanal R von Sensor </translation>
-    </message>
-    <message>
-        <source>: 0 none, 1 dead, 2 stuck</source>
-        <translation>: 0 kein Fehler, 1 ausgefallen, 2 eingefroren</translation>
-    </message>
-    <message>
-        <source>channel Theta of sensor </source>
-        <translation>Kanal Theta von Sensor </translation>
-    </message>
-    <message>
-        <source>, likewise</source>
-        <translation>, ebenso</translation>
-    </message>
-    <message>
-        <source>channel Phi of sensor </source>
-        <translation>Kanal Phi von Sensor </translation>
-    </message>
-    <message>
-        <source>outer radius of the rotor</source>
-        <translation>Außenradius des Läufers</translation>
-    </message>
-    <message>
-        <source>radius of the rotor&apos;s core</source>
-        <translation>Radius des Läuferkerns</translation>
-    </message>
-    <message>
-        <source>pole angle of the magnet</source>
-        <translation>Polwinkel des Magneten</translation>
-    </message>
-    <message>
-        <source>relative recoil permeability</source>
-        <translation>relative permanente Permeabilität</translation>
-    </message>
-    <message>
-        <source>relative permeability of the core</source>
-        <translation>relative Permeabilität des Kerns</translation>
-    </message>
-    <message>
-        <source>azimuthal coefficient</source>
-        <translation>Azimutalkoeffizient</translation>
-    </message>
-    <message>
-        <source>device model: 0 exact, 1 additive angles as published</source>
-        <translation>Gerätemodell: 0 exakt, 1 additive Winkel wie veröffentlicht</translation>
-    </message>
-    <message>
-        <source>distance of the sensors from the centre</source>
-        <translation>Abstand der Sensoren vom Mittelpunkt</translation>
-    </message>
-    <message>
-        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
-        <translation>Sensorachsen: 0 zyx, 1 xyz, 2 ohne Rollwinkel</translation>
-    </message>
-    <message>
-        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
-        <translation>weitere Kugelflächenfunktionen: 0 keine, 1 wie Finite Elemente, 2 Belastungsprobe</translation>
-    </message>
-    <message>
-        <source>harmonic (4,2) at 50 mm instead of the preset&apos;s</source>
-        <translation>Kugelflächenfunktion (4,2) bei 50 mm statt der des Parametersatzes</translation>
-    </message>
-    <message>
-        <source>harmonic (6,2) at 50 mm instead of the preset&apos;s</source>
-        <translation>Kugelflächenfunktion (6,2) bei 50 mm statt der des Parametersatzes</translation>
-    </message>
-    <message>
-        <source>harmonic (6,6) at 50 mm instead of the preset&apos;s</source>
-        <translation>Kugelflächenfunktion (6,6) bei 50 mm statt der des Parametersatzes</translation>
-    </message>
-    <message>
-        <source>harmonic (10,10) at 50 mm instead of the preset&apos;s</source>
-        <translation>Kugelflächenfunktion (10,10) bei 50 mm statt der des Parametersatzes</translation>
-    </message>
-    <message>
-        <source>spread of the drawn gains, 1 sigma</source>
-        <translation>Streuung der gezogenen Verstärkungen, 1 Sigma</translation>
-    </message>
-    <message>
-        <source>spread of the drawn offsets, 1 sigma</source>
-        <translation>Streuung der gezogenen Offsets, 1 Sigma</translation>
-    </message>
-    <message>
-        <source>spread of the drawn cross-axis shares, 1 sigma</source>
-        <translation>Streuung der gezogenen Querachsenanteile, 1 Sigma</translation>
-    </message>
-    <message>
-        <source>spread of the drawn mounting angles, 1 sigma</source>
-        <translation>Streuung der gezogenen Einbauwinkel, 1 Sigma</translation>
-    </message>
-    <message>
-        <source>spread of the drawn places, 1 sigma</source>
-        <translation>Streuung der gezogenen Lagefehler, 1 Sigma</translation>
-    </message>
-    <message>
-        <source>noise of a reading, rms</source>
-        <translation>Rauschen eines Messwerts, Effektivwert</translation>
-    </message>
-    <message>
-        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
-        <translation>Wandler: 0 12 Bit 300 mT, 1 400 mT, 2 98 µT bis 130 mT, 3 100 mT</translation>
-    </message>
-    <message>
-        <source>uniform stray field along X</source>
-        <translation>homogenes Streufeld entlang X</translation>
-    </message>
-    <message>
-        <source>uniform stray field along Y</source>
-        <translation>homogenes Streufeld entlang Y</translation>
-    </message>
-    <message>
-        <source>uniform stray field along Z</source>
-        <translation>homogenes Streufeld entlang Z</translation>
-    </message>
-    <message>
-        <source>place of the stator coil, from Z</source>
-        <translation>Lage der Statorspule, von Z aus</translation>
-    </message>
-    <message>
-        <source>place of the stator coil, from X</source>
-        <translation>Lage der Statorspule, von X aus</translation>
-    </message>
-    <message>
-        <source>distance of the coil&apos;s centre</source>
-        <translation>Abstand des Spulenmittelpunkts</translation>
-    </message>
-    <message>
-        <source>radius of the stator coil</source>
-        <translation>Radius der Statorspule</translation>
-    </message>
-    <message>
-        <source>turns of the stator coil</source>
-        <translation>Windungszahl der Statorspule</translation>
-    </message>
-    <message>
-        <source>current of the stator coil</source>
-        <translation>Strom der Statorspule</translation>
-    </message>
-    <message>
-        <source>temperature at the start</source>
-        <translation>Temperatur zu Beginn</translation>
-    </message>
-    <message>
-        <source>final rise of the magnet</source>
-        <translation>Enderwärmung des Magneten</translation>
-    </message>
-    <message>
-        <source>time constant of the rise</source>
-        <translation>Zeitkonstante der Erwärmung</translation>
-    </message>
-    <message>
-        <source>relative change of the field with temperature</source>
-        <translation>relative Änderung des Felds mit der Temperatur</translation>
-    </message>
-    <message>
-        <source>error of the temperature sensor; drawn</source>
-        <translation>Fehler des Temperatursensors; gezogen</translation>
-    </message>
-    <message>
-        <source>spread of the drawn temperature errors, 1 sigma</source>
-        <translation>Streuung der gezogenen Temperaturfehler, 1 Sigma</translation>
-    </message>
-    <message>
-        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
-        <translation>0 Sollwert, 1 bis 4 veröffentlichte Trajektorie, 5 Taumeln, 6 Zufallsbewegung</translation>
-    </message>
-    <message>
-        <source>start, rotation about X</source>
-        <translation>Beginn, Drehung um X</translation>
-    </message>
-    <message>
-        <source>start, rotation about Y</source>
-        <translation>Beginn, Drehung um Y</translation>
-    </message>
-    <message>
-        <source>start, spin about the shaft</source>
-        <translation>Beginn, Drehung um die Welle</translation>
-    </message>
-    <message>
-        <source>rate towards a set-point, spin of tumbling</source>
-        <translation>Drehrate zum Sollwert, Eigendrehung beim Taumeln</translation>
-    </message>
-    <message>
-        <source>spin along the published trajectories</source>
-        <translation>Eigendrehwinkel auf den veröffentlichten Trajektorien</translation>
-    </message>
-    <message>
-        <source>time between two published samples</source>
-        <translation>Zeit zwischen zwei veröffentlichten Abtastwerten</translation>
-    </message>
-    <message>
-        <source>tilt of tumbling, limit of the random walk</source>
-        <translation>Neigung beim Taumeln, Grenze der Zufallsbewegung</translation>
-    </message>
-    <message>
-        <source>frequency of tumbling about X</source>
-        <translation>Frequenz des Taumelns um X</translation>
-    </message>
-    <message>
-        <source>random walk: rms of an axis after one second</source>
-        <translation>Zufallsbewegung: Effektivwert einer Achse nach einer Sekunde</translation>
-    </message>
-    <message>
         <source>the spherical motor has no parameter &apos;{}&apos;</source>
         <translation>der Kugelmotor hat keinen Parameter „{}“</translation>
-    </message>
-    <message>
-        <source>the value of &apos;{}&apos; is not a finite number</source>
-        <translation>der Wert von „{}“ ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; cannot be {}</source>
-        <translation>„{}“ kann nicht {} sein</translation>
-    </message>
-    <message>
-        <source>It is {} from {} to {} {}.</source>
-        <translation>Es ist {} von {} bis {} {}.</translation>
-    </message>
-    <message>
-        <source>The stator coil lies inside the rotor.</source>
-        <translation>Die Statorspule liegt im Läufer.</translation>
-    </message>
-    <message>
-        <source>Make coil_distance_mm larger than R0_mm.</source>
-        <translation>Wählen Sie coil_distance_mm größer als R0_mm.</translation>
     </message>
     <message>
         <source>A number of the orientation sensing is not finite.</source>

@@ -95,6 +95,46 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>The time in row {} of the table of poses does not rise.</source>
+        <translation>姿态表第 {} 行的时间没有增加。</translation>
+    </message>
+    <message>
+        <source>Row {} of the table of poses is not finite.</source>
+        <translation>姿态表第 {} 行不是有限值。</translation>
+    </message>
+    <message>
+        <source>coil field {} of sensor {}</source>
+        <translation>线圈磁场 {}，传感器 {}</translation>
+    </message>
+    <message>
+        <source>place along {} of sensor {}</source>
+        <translation>沿 {} 的位置，传感器 {}</translation>
+    </message>
+    <message>
+        <source>frame about {} of sensor {}</source>
+        <translation>绕 {} 的转角，传感器 {}</translation>
+    </message>
+    <message>
+        <source>offset {} of sensor {}</source>
+        <translation>零点偏移 {}，传感器 {}</translation>
+    </message>
+    <message>
+        <source>skew {} of sensor {}</source>
+        <translation>非正交 {}，传感器 {}</translation>
+    </message>
+    <message>
+        <source>gain {} of sensor {}</source>
+        <translation>增益 {}，传感器 {}</translation>
+    </message>
+    <message>
+        <source>field strength {}</source>
+        <translation>磁场强度 {}</translation>
+    </message>
+    <message>
+        <source>The motion does not determine this value: {}.</source>
+        <translation>运动不足以确定此值：{}。</translation>
+    </message>
+    <message>
         <source>Widen the region, reduce the distance or raise the range of the sensor.</source>
         <translation>请扩大区域、减小距离或提高传感器量程。</translation>
     </message>
@@ -119,32 +159,12 @@
         <translation>布置网格的步长必须整除 45 度且至少为 1 度。</translation>
     </message>
     <message>
-        <source>{} {} of sensor {}</source>
-        <translation>{} {}，传感器 {}</translation>
-    </message>
-    <message>
-        <source>coil field</source>
-        <translation>线圈磁场</translation>
-    </message>
-    <message>
-        <source>place, direction</source>
-        <translation>位置，方向</translation>
-    </message>
-    <message>
-        <source>frame about</source>
-        <translation>安装姿态，绕</translation>
-    </message>
-    <message>
         <source>harmonic ({},{})</source>
         <translation>球谐项 ({},{})</translation>
     </message>
     <message>
         <source>drift of {} with temperature</source>
         <translation>{} 随温度的漂移</translation>
-    </message>
-    <message>
-        <source>strength {}</source>
-        <translation>强度 {}</translation>
     </message>
     <message>
         <source>A common rotation of all sensors cannot be told from one of the rotor: the mean turn is zero. Only a known orientation fixes it.</source>
@@ -157,10 +177,6 @@
     <message>
         <source>Record orientations that differ more in tilt and spin, or keep it at its nominal value.</source>
         <translation>请记录倾斜和自转差异更大的姿态，或保持其标称值。</translation>
-    </message>
-    <message>
-        <source>The motion does not determine the {}.</source>
-        <translation>该运动不能确定：{}。</translation>
     </message>
     <message>
         <source>The calibration was stopped.</source>
@@ -7283,292 +7299,8 @@
         <translation>位姿表为空。</translation>
     </message>
     <message>
-        <source>Row {}</source>
-        <translation>第 {} 行</translation>
-    </message>
-    <message>
-        <source>{} of the table of poses is not finite.</source>
-        <translation>位姿表{}不是有限数。</translation>
-    </message>
-    <message>
-        <source>The time in row {}</source>
-        <translation>第 {} 行的时间</translation>
-    </message>
-    <message>
-        <source>{} of the table of poses does not rise.</source>
-        <translation>位姿表{}没有递增。</translation>
-    </message>
-    <message>
-        <source>gain error of sensor </source>
-        <translation>增益误差，传感器 </translation>
-    </message>
-    <message>
-        <source>; drawn</source>
-        <translation>；随机抽取</translation>
-    </message>
-    <message>
-        <source>offset of sensor </source>
-        <translation>偏置，传感器 </translation>
-    </message>
-    <message>
-        <source>mounting error of sensor </source>
-        <translation>安装误差，传感器 </translation>
-    </message>
-    <message>
-        <source> about stator </source>
-        <translation> 绕定子轴 </translation>
-    </message>
-    <message>
-        <source>place error of sensor </source>
-        <translation>位置误差，传感器 </translation>
-    </message>
-    <message>
-        <source> along stator </source>
-        <translation> 沿定子轴 </translation>
-    </message>
-    <message>
-        <source>placement of sensor </source>
-        <translation>布置，传感器 </translation>
-    </message>
-    <message>
-        <source> about X</source>
-        <translation> 绕 X</translation>
-    </message>
-    <message>
-        <source> about Y</source>
-        <translation> 绕 Y</translation>
-    </message>
-    <message>
-        <source> about Z</source>
-        <translation> 绕 Z</translation>
-    </message>
-    <message>
-        <source>channel R of sensor </source>
-        <translation>R 通道，传感器 </translation>
-    </message>
-    <message>
-        <source>: 0 none, 1 dead, 2 stuck</source>
-        <translation>：0 无故障，1 失效，2 卡死</translation>
-    </message>
-    <message>
-        <source>channel Theta of sensor </source>
-        <translation>Theta 通道，传感器 </translation>
-    </message>
-    <message>
-        <source>, likewise</source>
-        <translation>，同上</translation>
-    </message>
-    <message>
-        <source>channel Phi of sensor </source>
-        <translation>Phi 通道，传感器 </translation>
-    </message>
-    <message>
-        <source>outer radius of the rotor</source>
-        <translation>转子的外半径</translation>
-    </message>
-    <message>
-        <source>radius of the rotor&apos;s core</source>
-        <translation>转子铁芯的半径</translation>
-    </message>
-    <message>
-        <source>pole angle of the magnet</source>
-        <translation>磁体的磁极角</translation>
-    </message>
-    <message>
-        <source>relative recoil permeability</source>
-        <translation>相对回复磁导率</translation>
-    </message>
-    <message>
-        <source>relative permeability of the core</source>
-        <translation>铁芯的相对磁导率</translation>
-    </message>
-    <message>
-        <source>azimuthal coefficient</source>
-        <translation>方位角系数</translation>
-    </message>
-    <message>
-        <source>device model: 0 exact, 1 additive angles as published</source>
-        <translation>设备模型：0 精确，1 按文献的角度相加</translation>
-    </message>
-    <message>
-        <source>distance of the sensors from the centre</source>
-        <translation>传感器到中心的距离</translation>
-    </message>
-    <message>
-        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
-        <translation>传感器坐标系：0 zyx，1 xyz，2 无滚转</translation>
-    </message>
-    <message>
-        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
-        <translation>其他球谐函数：0 无，1 按有限元，2 压力测试</translation>
-    </message>
-    <message>
-        <source>harmonic (4,2) at 50 mm instead of the preset&apos;s</source>
-        <translation>50 mm 处的球谐函数 (4,2)，代替预设值</translation>
-    </message>
-    <message>
-        <source>harmonic (6,2) at 50 mm instead of the preset&apos;s</source>
-        <translation>50 mm 处的球谐函数 (6,2)，代替预设值</translation>
-    </message>
-    <message>
-        <source>harmonic (6,6) at 50 mm instead of the preset&apos;s</source>
-        <translation>50 mm 处的球谐函数 (6,6)，代替预设值</translation>
-    </message>
-    <message>
-        <source>harmonic (10,10) at 50 mm instead of the preset&apos;s</source>
-        <translation>50 mm 处的球谐函数 (10,10)，代替预设值</translation>
-    </message>
-    <message>
-        <source>spread of the drawn gains, 1 sigma</source>
-        <translation>随机抽取的增益的离散度，1 σ</translation>
-    </message>
-    <message>
-        <source>spread of the drawn offsets, 1 sigma</source>
-        <translation>随机抽取的偏置的离散度，1 σ</translation>
-    </message>
-    <message>
-        <source>spread of the drawn cross-axis shares, 1 sigma</source>
-        <translation>随机抽取的交叉轴分量的离散度，1 σ</translation>
-    </message>
-    <message>
-        <source>spread of the drawn mounting angles, 1 sigma</source>
-        <translation>随机抽取的安装角的离散度，1 σ</translation>
-    </message>
-    <message>
-        <source>spread of the drawn places, 1 sigma</source>
-        <translation>随机抽取的位置误差的离散度，1 σ</translation>
-    </message>
-    <message>
-        <source>noise of a reading, rms</source>
-        <translation>读数的噪声，有效值</translation>
-    </message>
-    <message>
-        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
-        <translation>转换器：0 12 位 300 mT，1 400 mT，2 98 µT 至 130 mT，3 100 mT</translation>
-    </message>
-    <message>
-        <source>uniform stray field along X</source>
-        <translation>沿 X 的均匀杂散磁场</translation>
-    </message>
-    <message>
-        <source>uniform stray field along Y</source>
-        <translation>沿 Y 的均匀杂散磁场</translation>
-    </message>
-    <message>
-        <source>uniform stray field along Z</source>
-        <translation>沿 Z 的均匀杂散磁场</translation>
-    </message>
-    <message>
-        <source>place of the stator coil, from Z</source>
-        <translation>定子线圈的位置，从 Z 起算</translation>
-    </message>
-    <message>
-        <source>place of the stator coil, from X</source>
-        <translation>定子线圈的位置，从 X 起算</translation>
-    </message>
-    <message>
-        <source>distance of the coil&apos;s centre</source>
-        <translation>线圈中心的距离</translation>
-    </message>
-    <message>
-        <source>radius of the stator coil</source>
-        <translation>定子线圈的半径</translation>
-    </message>
-    <message>
-        <source>turns of the stator coil</source>
-        <translation>定子线圈的匝数</translation>
-    </message>
-    <message>
-        <source>current of the stator coil</source>
-        <translation>定子线圈的电流</translation>
-    </message>
-    <message>
-        <source>temperature at the start</source>
-        <translation>起始温度</translation>
-    </message>
-    <message>
-        <source>final rise of the magnet</source>
-        <translation>磁体的最终温升</translation>
-    </message>
-    <message>
-        <source>time constant of the rise</source>
-        <translation>温升的时间常数</translation>
-    </message>
-    <message>
-        <source>relative change of the field with temperature</source>
-        <translation>磁场随温度的相对变化</translation>
-    </message>
-    <message>
-        <source>error of the temperature sensor; drawn</source>
-        <translation>温度传感器的误差；随机抽取</translation>
-    </message>
-    <message>
-        <source>spread of the drawn temperature errors, 1 sigma</source>
-        <translation>随机抽取的温度误差的离散度，1 σ</translation>
-    </message>
-    <message>
-        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
-        <translation>0 设定值，1 至 4 文献轨迹，5 翻滚，6 随机游走</translation>
-    </message>
-    <message>
-        <source>start, rotation about X</source>
-        <translation>起始，绕 X 的转角</translation>
-    </message>
-    <message>
-        <source>start, rotation about Y</source>
-        <translation>起始，绕 Y 的转角</translation>
-    </message>
-    <message>
-        <source>start, spin about the shaft</source>
-        <translation>起始，绕轴的自转角</translation>
-    </message>
-    <message>
-        <source>rate towards a set-point, spin of tumbling</source>
-        <translation>趋向设定值的角速度，翻滚时的自转角速度</translation>
-    </message>
-    <message>
-        <source>spin along the published trajectories</source>
-        <translation>文献轨迹上的自转角</translation>
-    </message>
-    <message>
-        <source>time between two published samples</source>
-        <translation>文献中两个样本之间的时间</translation>
-    </message>
-    <message>
-        <source>tilt of tumbling, limit of the random walk</source>
-        <translation>翻滚的倾角，随机游走的限值</translation>
-    </message>
-    <message>
-        <source>frequency of tumbling about X</source>
-        <translation>绕 X 翻滚的频率</translation>
-    </message>
-    <message>
-        <source>random walk: rms of an axis after one second</source>
-        <translation>随机游走：一秒后单轴的均方根值</translation>
-    </message>
-    <message>
         <source>the spherical motor has no parameter &apos;{}&apos;</source>
         <translation>球形电机没有参数“{}”</translation>
-    </message>
-    <message>
-        <source>the value of &apos;{}&apos; is not a finite number</source>
-        <translation>“{}”的值不是有限数</translation>
-    </message>
-    <message>
-        <source>&apos;{}&apos; cannot be {}</source>
-        <translation>“{}”不能为 {}</translation>
-    </message>
-    <message>
-        <source>It is {} from {} to {} {}.</source>
-        <translation>应为 {1} 到 {2} {3} 的{0}。</translation>
-    </message>
-    <message>
-        <source>The stator coil lies inside the rotor.</source>
-        <translation>定子线圈位于转子内部。</translation>
-    </message>
-    <message>
-        <source>Make coil_distance_mm larger than R0_mm.</source>
-        <translation>请使 coil_distance_mm 大于 R0_mm。</translation>
     </message>
     <message>
         <source>A number of the orientation sensing is not finite.</source>

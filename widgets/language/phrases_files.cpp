@@ -86,6 +86,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the model was identified on the {} '{}', this device is the {} '{}'"),
     QT_TRANSLATE_NOOP("Phrases", "the model was identified on '{}' with other overrides than this device has"),
     QT_TRANSLATE_NOOP("Phrases", "a text"),
+    QT_TRANSLATE_NOOP("Phrases", "a whole number"),
+    QT_TRANSLATE_NOOP("Phrases", "a number"),
     QT_TRANSLATE_NOOP("Phrases", "true or false"),
     QT_TRANSLATE_NOOP("Phrases", "a list"),
     QT_TRANSLATE_NOOP("Phrases", "a table"),
