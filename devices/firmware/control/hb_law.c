@@ -41,6 +41,12 @@ static float stictionAssist(const hb_law_config* config, const hb_law_input* inp
     return 0.0F;
 }
 
+#if HB_LAW_WEIGHTS
+static float proportional(const hb_law_config* config, const hb_law_input* input, float error_rad) {
+    (void)error_rad;
+    return config->kp_A_per_rad * (config->reference_weight * input->reference_rad - input->position_rad);
+}
+
 static float derivative(hb_law* law, const hb_law_config* config, const hb_law_input* input) {
     float weight = config->derivative_reference_weight;
     float weighted = weight * input->reference_rad - input->position_rad;
@@ -54,6 +60,18 @@ static float derivative(hb_law* law, const hb_law_config* config, const hb_law_i
     law->rate_rad_s = rate;
     return config->kd_As_per_rad * rate;
 }
+#else
+static float proportional(const hb_law_config* config, const hb_law_input* input, float error_rad) {
+    (void)input;
+    return config->kp_A_per_rad * error_rad;
+}
+
+static float derivative(hb_law* law, const hb_law_config* config, const hb_law_input* input) {
+    float moved = law->started ? input->position_rad - law->previous_position_rad : 0.0F;
+    law->previous_position_rad = input->position_rad;
+    return config->kd_As_per_rad * (input->reference_speed_rad_s - moved / config->period_s);
+}
+#endif
 
 #if HB_LAW_SECTIONS
 static float filtered(hb_law* law, const hb_law_config* config, float value) {
@@ -79,8 +97,7 @@ static float filtered(hb_law* law, const hb_law_config* config, float value) {
 
 static float positional(hb_law* law, const hb_law_config* config, const hb_law_input* input) {
     float error = input->reference_rad - input->position_rad;
-    float weighted = config->reference_weight * input->reference_rad - input->position_rad;
-    float demand = config->kp_A_per_rad * weighted + law->integral_A + derivative(law, config, input);
+    float demand = proportional(config, input, error) + law->integral_A + derivative(law, config, input);
     float command;
 #if HB_LAW_SECTIONS
     demand = filtered(law, config, demand);

@@ -37,7 +37,9 @@ typedef struct {
 typedef struct {
     uint8_t law;
     float kp_A_per_rad, ki_A_per_rad_s, kd_As_per_rad;
+#if HB_LAW_WEIGHTS
     float reference_weight, derivative_reference_weight, derivative_filter_s; /* b, c, Tf */
+#endif
 #if HB_LAW_SECTIONS
     hb_law_section sections[HB_LAW_SECTIONS];
 #endif
@@ -49,7 +51,11 @@ typedef struct {
 
 typedef struct {
     float integral_A;
+#if HB_LAW_WEIGHTS
     float previous_weighted_rad, rate_rad_s; /* w and d */
+#else
+    float previous_position_rad;
+#endif
 #if HB_LAW_SECTIONS
     float filtered[HB_LAW_SECTIONS][2];
 #endif

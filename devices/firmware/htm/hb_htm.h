@@ -37,7 +37,9 @@ enum hb_htm_mode { HB_MODE_CURRENT = HB_MODE_IDLE + 1, HB_MODE_POSITION, HB_MODE
 typedef struct {
     uint32_t set_first; /* transaction marks: a cycle that sees them differ counts as torn */
     float kp, ki, kd;
+#if HB_LAW_WEIGHTS
     float reference_weight, derivative_reference_weight, derivative_filter;
+#endif
 #if HB_LAW_SECTIONS
     hb_law_section sections[HB_LAW_SECTIONS];
 #endif

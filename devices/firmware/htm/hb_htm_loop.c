@@ -115,9 +115,11 @@ static hb_law_config lawOf(const hb_htm_calibration* page) {
     config.kp_A_per_rad = page->kp;
     config.ki_A_per_rad_s = page->ki;
     config.kd_As_per_rad = page->kd;
+#if HB_LAW_WEIGHTS
     config.reference_weight = page->reference_weight;
     config.derivative_reference_weight = page->derivative_reference_weight;
     config.derivative_filter_s = page->derivative_filter;
+#endif
 #if HB_LAW_SECTIONS
     memcpy(config.sections, page->sections, sizeof config.sections);
 #endif

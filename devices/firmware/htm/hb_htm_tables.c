@@ -70,12 +70,14 @@ static const hb_parameter Parameters[] HB_ROM = {
     PAGED("gain.kp", "A/rad", kp, 10.0F, 0.0F, 2000.0F, NULL, "Proportional gain"),
     PAGED("gain.ki", "A/(rad*s)", ki, 0.1F, 0.0F, 20000.0F, NULL, "Integral gain"),
     PAGED("gain.kd", "A*s/rad", kd, 0.0F, 0.0F, 100.0F, NULL, "Derivative gain on the measured angle"),
+#if HB_LAW_WEIGHTS
     PAGED("gain.reference_weight", "", reference_weight, 1.0F, 0.0F, 1.0F, NULL,
           "Set-point weight b of the proportional part"),
     PAGED("gain.derivative_reference_weight", "", derivative_reference_weight, 0.0F, 0.0F, 1.0F, NULL,
           "Set-point weight c of the derivative part"),
     PAGED("gain.derivative_filter", "s", derivative_filter, 0.0F, 0.0F, 10.0F, NULL,
           "Time constant of the derivative's filter"),
+#endif
 #if HB_LAW_SECTIONS
     SECTION(1, "filter.1.b0", "filter.1.b1", "filter.1.b2", "filter.1.a1", "filter.1.a2"),
     SECTION(2, "filter.2.b0", "filter.2.b1", "filter.2.b2", "filter.2.a1", "filter.2.a2"),

@@ -43,6 +43,9 @@
 #ifndef HB_FEATURE_GENERATOR
 #define HB_FEATURE_GENERATOR 1 /* chirp and multisine; step, ramp, sine, staircase are always in */
 #endif
+#ifndef HB_LAW_WEIGHTS
+#define HB_LAW_WEIGHTS 1 /* set-point weights and a filter on the derivative in the position law */
+#endif
 #ifndef HB_LAW_SECTIONS
 #define HB_LAW_SECTIONS 4 /* second-order sections behind the position law's PID (0 or 4) */
 #endif

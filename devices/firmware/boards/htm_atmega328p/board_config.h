@@ -19,6 +19,8 @@
 #define HB_FEATURE_TABLE_TRIG 1
 #define HB_NUMBER_DIGITS 6
 #define HB_PLATEAUS 16
+/* With weights and a derivative filter the longest tick takes 83 % of its period. */
+#define HB_LAW_WEIGHTS 0
 #define HB_LAW_SECTIONS 0
 #define HB_SXI_BAUD 115200
 #define HB_ACTUATOR hb_htm_actuator
