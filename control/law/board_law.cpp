@@ -92,18 +92,6 @@ std::complex<double> feedbackResponse(const BoardLaw<double>& law, double freque
            (law.kp_A_per_rad + law.period_s * law.ki_A_per_rad_s / d + law.kd_As_per_rad * rate);
 }
 
-std::complex<double> referenceResponse(const BoardLaw<double>& law, double frequency_rad_s) {
-    const Complex d = shiftAt(frequency_rad_s, law.period_s);
-    const Complex speed(0.0, frequency_rad_s);
-    const double c = law.derivativeReferenceWeight;
-    const Complex rate =
-        ((1.0 - c) * speed + c * d / (law.period_s * (d + 1.0))) * derivativeFilterAt(law, d);
-    const Complex linear = law.referenceWeight * law.kp_A_per_rad + law.period_s * law.ki_A_per_rad_s / d +
-                           law.kd_As_per_rad * rate;
-    return filtersAt(law, d) * linear + law.inertia_As2_per_rad * speed * speed +
-           law.viscous_As_per_rad * speed;
-}
-
 double proportionalAtRest_A_per_rad(const BoardLaw<double>& law) {
     double gain = law.kp_A_per_rad;
     for (const LawSection<double>& f : law.sections) {

@@ -63,9 +63,6 @@ ShapedLaw shapedLaw(const BoardLaw<double>& law);
 
 /// From the error of the angle to the current, F (K_P + I + D), without the delay.
 std::complex<double> feedbackResponse(const BoardLaw<double>& law, double frequency_rad_s);
-/// From a smooth reference to the current: F (b K_P + I + c D + (1 - c) K_D j w/(filter)) and what is fed
-/// forward of its speed and acceleration.
-std::complex<double> referenceResponse(const BoardLaw<double>& law, double frequency_rad_s);
 /// What friction and integral see at rest: K_P times the gain of the filters for a constant.
 double proportionalAtRest_A_per_rad(const BoardLaw<double>& law);
 

@@ -159,7 +159,9 @@ Reach reachOf(const std::vector<int>& lines, double period_s, const FrequencyMar
     for (const int line : lines) {
         const double w = 2.0 * Pi * line / period_s;
         const Complex C = control::feedbackResponse(margins.law, w);
-        const Complex drive = control::referenceResponse(margins.law, w);
+        const Complex forward = Complex(-w * w * margins.law.inertia_As2_per_rad,
+                                        w * margins.law.viscous_As_per_rad); // feed-forward
+        const Complex drive = C + forward; // set-point weights only make it less
         const Complex late = std::polar(1.0, -w * margins.period_s * margins.law.delaySamples);
         const Complex L = C * late * plant.atFrequency(w);
         frequency_rad_s.push_back(w);
