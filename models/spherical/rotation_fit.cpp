@@ -4,7 +4,6 @@
 #include "models/spherical/orientation.h"
 #include "models/spherical/tensor_rotation.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <cmath>
 
@@ -27,6 +26,10 @@ struct FitModel {
     const SensorPoses& poses;
     const TensorSystem& system;
     const SphericalReadings& readings_T;
+    /// Tensor of the readings and the chi-square it leaves, when it is determined and all of the field.
+    bool isTensor = false;
+    TensorVector tensor_T = TensorVector::Zero();
+    double leftOver = 0.0;
 
     NormalEquations at(const Eigen::Matrix3d& rotation, double scale) const {
         return field.hasHarmonics() ? withHarmonics(rotation, scale) : ofTensor(rotation, scale);
@@ -37,11 +40,19 @@ private:
         Eigen::Matrix<double, 5, 4> slope;
         slope.leftCols<3>() = (scale * field.config().strength_T) * unitTensorDerivative(rotation);
         slope.col(3) = field.config().strength_T * unitTensor(rotation);
-        const SphericalReadings residual_T = readings_T - system.design() * (scale * slope.col(3));
+        const Eigen::Matrix<double, 5, 4> weighted = system.information() * slope;
         NormalEquations normal;
+        normal.information = slope.transpose() * weighted;
+        if (isTensor) {
+            // r^T W' r = (x - x_M)^T N (x - x_M) + what the linear fit leaves
+            const TensorVector missing_T = tensor_T - scale * slope.col(3);
+            normal.gradient = weighted.transpose() * missing_T;
+            normal.cost = missing_T.dot(system.information() * missing_T) + leftOver;
+            return normal;
+        }
+        const SphericalReadings residual_T = readings_T - system.design() * (scale * slope.col(3));
         normal.cost = system.chiSquare(residual_T);
         normal.gradient = slope.transpose() * (system.weightedDesign() * residual_T);
-        normal.information = slope.transpose() * (system.information() * slope);
         return normal;
     }
 
@@ -60,20 +71,42 @@ private:
     }
 };
 
-void hold(NormalEquations& normal) {
-    normal.information.row(3).setZero();
-    normal.information.col(3).setZero();
-    normal.information(3, 3) = 1.0;
-    normal.gradient[3] = 0.0;
+/// Solution of the damped equations; the strength is eliminated, or held.
+Eigen::Vector4d dampedStep(const NormalEquations& normal, double damping, bool isStrengthFitted) {
+    Eigen::Matrix3d turning = normal.information.topLeftCorner<3, 3>();
+    // A part of the mean as well: at a singular pose a diagonal entry may vanish.
+    const double mean = turning.trace() / 3.0;
+    turning.diagonal() *= 1.0 + damping;
+    turning.diagonal().array() += 0.1 * damping * mean;
+    Eigen::Vector3d pull = normal.gradient.head<3>();
+    Eigen::Vector4d step = Eigen::Vector4d::Zero();
+    const double own = normal.information(3, 3) * (1.0 + damping);
+    const Eigen::Vector3d coupling = normal.information.topRightCorner<3, 1>();
+    if (isStrengthFitted) {
+        turning -= coupling * coupling.transpose() / own;
+        pull -= coupling * (normal.gradient[3] / own);
+    }
+    step.head<3>() = turning.inverse() * pull;
+    if (isStrengthFitted) {
+        step[3] = (normal.gradient[3] - coupling.dot(step.head<3>())) / own;
+    }
+    return step;
 }
 
-Eigen::Matrix3d covarianceOf(const NormalEquations& normal, const Eigen::Matrix3d& rotation) {
-    const Eigen::FullPivLU<Eigen::Matrix4d> factor(normal.information);
-    if (!factor.isInvertible()) {
+/// Zero where the equations leave a direction open.
+Eigen::Matrix3d covarianceOf(const NormalEquations& normal, const Eigen::Matrix3d& rotation,
+                             bool isStrengthFitted) {
+    Eigen::Matrix3d turning = normal.information.topLeftCorner<3, 3>();
+    if (isStrengthFitted) {
+        const Eigen::Vector3d coupling = normal.information.topRightCorner<3, 1>();
+        turning -= coupling * coupling.transpose() / normal.information(3, 3);
+    }
+    // One for independent directions, zero for dependent ones (Hadamard).
+    constexpr double LeastIndependence = 1e-10;
+    if (!(turning.determinant() > LeastIndependence * turning.diagonal().prod())) {
         return Eigen::Matrix3d::Zero();
     }
-    const Eigen::Matrix4d inverse = factor.inverse();
-    return rotation * inverse.topLeftCorner<3, 3>() * rotation.transpose();
+    return rotation * turning.inverse() * rotation.transpose();
 }
 
 } // namespace
@@ -81,14 +114,17 @@ Eigen::Matrix3d covarianceOf(const NormalEquations& normal, const Eigen::Matrix3
 RotationFit fitRotation(const RotorField& field, const SensorPoses& poses, const TensorSystem& system,
                         const SphericalReadings& readings_T, const Eigen::Matrix3d& start,
                         const RotationFitConfig& config) {
-    const FitModel model{field, poses, system, readings_T};
+    FitModel model{field, poses, system, readings_T};
     RotationFit fit;
     fit.rotation = start;
     // Too few channels for the tensor do not determine its strength either.
     const bool isStrengthFree = config.isStrengthFree && system.isDetermined();
     double scale = 1.0;
-    if (isStrengthFree && !field.hasHarmonics()) {
-        scale = strengthOf_T(system.solve(readings_T)) / field.config().strength_T;
+    if (system.isDetermined() && !field.hasHarmonics()) {
+        model.isTensor = true;
+        model.tensor_T = system.solve(readings_T);
+        model.leftOver = system.chiSquare(readings_T - system.design() * model.tensor_T);
+        scale = isStrengthFree ? strengthOf_T(model.tensor_T) / field.config().strength_T : 1.0;
     }
     // Only near the minimum: far off, a small factor explains any readings better than a wrong pose does.
     bool isStrengthFitted = false;
@@ -96,14 +132,7 @@ RotationFit fitRotation(const RotorField& field, const SensorPoses& poses, const
     NormalEquations normal = model.at(fit.rotation, scale);
     while (fit.iterations < config.iterations && !fit.hasConverged) {
         ++fit.iterations;
-        if (!isStrengthFitted) {
-            hold(normal);
-        }
-        Eigen::Matrix4d damped = normal.information;
-        // A part of the mean as well: at a singular pose a diagonal entry may vanish.
-        damped.diagonal() *= 1.0 + damping;
-        damped.diagonal().head<3>().array() += 0.1 * damping * normal.information.diagonal().head<3>().mean();
-        const Eigen::Vector4d step = damped.ldlt().solve(normal.gradient);
+        const Eigen::Vector4d step = dampedStep(normal, damping, isStrengthFitted);
         const Eigen::Vector3d turn = step.head<3>();
         const Eigen::Matrix3d turned = fit.rotation * rotationOfVector(turn);
         const double nextScale = scale + step[3];
@@ -126,13 +155,10 @@ RotationFit fitRotation(const RotorField& field, const SensorPoses& poses, const
             }
         }
     }
-    if (!isStrengthFree) {
-        hold(normal);
-    }
     fit.chiSquare = normal.cost;
     fit.strength_T = scale * field.config().strength_T;
     if (fit.hasConverged) {
-        fit.covariance_rad2 = covarianceOf(normal, fit.rotation);
+        fit.covariance_rad2 = covarianceOf(normal, fit.rotation, isStrengthFree);
     }
     fit.rotation = representative(fit.rotation);
     return fit;

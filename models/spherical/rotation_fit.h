@@ -8,7 +8,7 @@ namespace halbench::models {
 struct RotationFitConfig {
     int iterations = 60;
     double firstDamping_ratio = 1e-3;
-    double lastStep_rad = 1e-9; ///< converged below; the steps fall quadratically there
+    double lastStep_rad = 1e-6; ///< converged below; the steps fall quadratically there
     bool isStrengthFree = true; ///< a common factor of the field is fitted too if the tensor is determined
 };
 
