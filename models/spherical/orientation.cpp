@@ -58,8 +58,11 @@ Eigen::Matrix3d rotationOfVector(const Eigen::Vector3d& vector_rad) {
     // Rodrigues; the series below 1e-4 rad is exact to the last bit.
     const double first = angle < 1e-4 ? 1.0 - square / 6.0 : std::sin(angle) / angle;
     const double second = angle < 1e-4 ? 0.5 - square / 24.0 : (1.0 - std::cos(angle)) / square;
-    const Eigen::Matrix3d cross = crossMatrix(vector_rad);
-    return Eigen::Matrix3d::Identity() + first * cross + second * cross * cross;
+    // [w]x [w]x = w w^T - |w|^2 I
+    Eigen::Matrix3d rotation =
+        (second * vector_rad) * vector_rad.transpose() + first * crossMatrix(vector_rad);
+    rotation.diagonal().array() += 1.0 - second * square;
+    return rotation;
 }
 
 Eigen::Vector3d vectorOfRotation(const Eigen::Matrix3d& rotation) {

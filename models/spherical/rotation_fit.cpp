@@ -14,7 +14,8 @@ namespace {
 constexpr double LeastFactor_ratio = 0.3;
 constexpr double NearMinimum_rad = 0.01;
 
-/// Normal equations of the unknowns (w, ds) at one point; w in rotor axes.
+/// Normal equations of the unknowns (w, ds) at one point; w in rotor axes. Symmetric: below the diagonal of
+/// w, the last row is not used.
 struct NormalEquations {
     double cost = 0.0;
     Eigen::Matrix4d information;
@@ -37,22 +38,26 @@ struct FitModel {
 
 private:
     NormalEquations ofTensor(const Eigen::Matrix3d& rotation, double scale) const {
-        Eigen::Matrix<double, 5, 4> slope;
-        slope.leftCols<3>() = (scale * field.config().strength_T) * unitTensorDerivative(rotation);
-        slope.col(3) = field.config().strength_T * unitTensor(rotation);
-        const Eigen::Matrix<double, 5, 4> weighted = system.information() * slope;
+        const double strength_T = field.config().strength_T;
+        const TensorVector unit_T = strength_T * unitTensor(rotation);
+        const Eigen::Matrix<double, 5, 3> turn = (scale * strength_T) * unitTensorDerivative(rotation);
+        const Eigen::Matrix<double, 5, 3> weighted = system.information() * turn;
         NormalEquations normal;
-        normal.information = slope.transpose() * weighted;
+        normal.information.topLeftCorner<3, 3>() = turn.transpose() * weighted;
+        normal.information.topRightCorner<3, 1>() = weighted.transpose() * unit_T;
+        normal.information(3, 3) = unit_T.dot(system.information() * unit_T);
+        TensorVector pull;
         if (isTensor) {
             // r^T W' r = (x - x_M)^T N (x - x_M) + what the linear fit leaves
-            const TensorVector missing_T = tensor_T - scale * slope.col(3);
-            normal.gradient = weighted.transpose() * missing_T;
-            normal.cost = missing_T.dot(system.information() * missing_T) + leftOver;
-            return normal;
+            const TensorVector missing_T = tensor_T - scale * unit_T;
+            pull = system.information() * missing_T;
+            normal.cost = missing_T.dot(pull) + leftOver;
+        } else {
+            const SphericalReadings residual_T = readings_T - system.design() * (scale * unit_T);
+            pull = system.weightedDesign() * residual_T;
+            normal.cost = system.chiSquare(residual_T);
         }
-        const SphericalReadings residual_T = readings_T - system.design() * (scale * slope.col(3));
-        normal.cost = system.chiSquare(residual_T);
-        normal.gradient = slope.transpose() * (system.weightedDesign() * residual_T);
+        normal.gradient << turn.transpose() * pull, unit_T.dot(pull);
         return normal;
     }
 
@@ -86,9 +91,11 @@ Eigen::Vector4d dampedStep(const NormalEquations& normal, double damping, bool i
         turning -= coupling * coupling.transpose() / own;
         pull -= coupling * (normal.gradient[3] / own);
     }
-    step.head<3>() = turning.inverse() * pull;
+    const Eigen::Matrix3d inverse = turning.inverse();
+    const Eigen::Vector3d turn = inverse * pull;
+    step.head<3>() = turn;
     if (isStrengthFitted) {
-        step[3] = (normal.gradient[3] - coupling.dot(step.head<3>())) / own;
+        step[3] = (normal.gradient[3] - coupling.dot(turn)) / own;
     }
     return step;
 }
@@ -130,23 +137,27 @@ RotationFit fitRotation(const RotorField& field, const SensorPoses& poses, const
     bool isStrengthFitted = false;
     double damping = config.firstDamping_ratio;
     NormalEquations normal = model.at(fit.rotation, scale);
-    while (fit.iterations < config.iterations && !fit.hasConverged) {
+    while (fit.iterations < config.iterations) {
         ++fit.iterations;
         const Eigen::Vector4d step = dampedStep(normal, damping, isStrengthFitted);
         const Eigen::Vector3d turn = step.head<3>();
         const Eigen::Matrix3d turned = fit.rotation * rotationOfVector(turn);
         const double nextScale = scale + step[3];
-        const bool isLast = turn.norm() < config.lastStep_rad && isStrengthFitted == isStrengthFree;
+        fit.hasConverged = turn.norm() < config.lastStep_rad && isStrengthFitted == isStrengthFree;
+        if (fit.hasConverged) {
+            // The equations of the point before serve the covariance: they change by the size of the step.
+            fit.rotation = turned;
+            scale = nextScale;
+            normal.cost = std::fmax(0.0, normal.cost - normal.gradient.dot(step));
+            break;
+        }
         const NormalEquations next = model.at(turned, nextScale);
-        // Rounding may lift the cost of a last step.
         // A negative factor is another pose: the field turned by 90 degrees about the shaft.
-        const bool keepsSign = nextScale > LeastFactor_ratio * scale;
-        if (keepsSign && (isLast || next.cost <= normal.cost)) {
+        if (nextScale > LeastFactor_ratio * scale && next.cost <= normal.cost) {
             fit.rotation = turned;
             scale = nextScale;
             normal = next;
             damping = std::fmax(0.1 * damping, 1e-15);
-            fit.hasConverged = isLast;
             isStrengthFitted = isStrengthFree && (isStrengthFitted || turn.norm() < NearMinimum_rad);
         } else {
             damping *= 10.0;

@@ -81,8 +81,9 @@ void refineRotation(const TensorVector& tensor_T, const Eigen::Matrix<double, 5,
     const Eigen::Matrix<double, 5, 3> turn = strength_T * unitTensorDerivative(rotation);
     const Eigen::Matrix<double, 5, 3> weighted = information * turn;
     const Eigen::Matrix3d normal = turn.transpose() * weighted;
+    const Eigen::Matrix3d inverse = normal.inverse();
     const Eigen::Vector3d step =
-        normal.inverse() * (weighted.transpose() * (tensor_T - strength_T * unitTensor(rotation)));
+        inverse * (weighted.transpose() * (tensor_T - strength_T * unitTensor(rotation)));
     rotation = representative(rotation * rotationOfVector(step));
 }
 
@@ -98,7 +99,8 @@ void refineRotationAndStrength(const TensorVector& tensor_T, const Eigen::Matrix
     const Eigen::Vector3d coupling = turn.transpose() * weightedUnit;
     const double excess = unit.dot(missing);
     const Eigen::Matrix3d normal = turn.transpose() * weighted - coupling * coupling.transpose() / own;
-    const Eigen::Vector3d step = normal.inverse() * (turn.transpose() * missing - coupling * (excess / own));
+    const Eigen::Matrix3d inverse = normal.inverse();
+    const Eigen::Vector3d step = inverse * (turn.transpose() * missing - coupling * (excess / own));
     strength_T += (excess - coupling.dot(step)) / own;
     rotation = representative(rotation * rotationOfVector(step));
 }
