@@ -7402,6 +7402,10 @@
         <source>tune --gains FILE --apply DEVICE says whether it has; else save the law as C code</source>
         <translation>tune --gains DATEI --apply GERÄT sagt, ob es sie hat; sonst speichern Sie das Regelgesetz als C-Code</translation>
     </message>
+    <message>
+        <source>The closed form of the additive model needs sensor 1 at (0, 0, 45 degrees).</source>
+        <translation>Die geschlossene Form des additiven Modells braucht Sensor 1 bei (0, 0, 45 Grad).</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -7402,6 +7402,10 @@
         <source>tune --gains FILE --apply DEVICE says whether it has; else save the law as C code</source>
         <translation>tune --gains FILE --apply DEVICE 会说明它是否具有；否则请把控制律保存为 C 代码</translation>
     </message>
+    <message>
+        <source>The closed form of the additive model needs sensor 1 at (0, 0, 45 degrees).</source>
+        <translation>相加模型的闭式解要求传感器 1 位于 (0, 0, 45 度)。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

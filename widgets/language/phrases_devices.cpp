@@ -319,6 +319,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "A Hall sensor needs a positive sensitivity, noise of at least zero and a lower clip voltage below the upper one."),
     QT_TRANSLATE_NOOP("Phrases", "A field harmonic needs an order of at least 1 and finite amplitudes."),
     QT_TRANSLATE_NOOP("Phrases", "A constant belongs into the offset."),
+    QT_TRANSLATE_NOOP("Phrases", "The closed form of the additive model needs sensor 1 at (0, 0, 45 degrees)."),
     QT_TRANSLATE_NOOP("Phrases", "Only {} samples have a known orientation; the calibration needs {}."),
     QT_TRANSLATE_NOOP("Phrases", "Record longer, with the rotor moving and no channel clipped."),
     QT_TRANSLATE_NOOP("Phrases", "A calibration needs positive deviations of readings and known orientations and at least one iteration."),

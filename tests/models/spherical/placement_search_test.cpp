@@ -46,7 +46,7 @@ TEST(PlacementSearch, assessmentsAreTheKnownOnes) {
 TEST(PlacementSearch, coarseLatticeIsSearchedWithProofAndParetoTable) {
     PlacementSearchConfig config;
     config.latticeStep_rad = degreesToRadians(15);
-    config.finalists = 40;
+    config.finalists = 15;
     const PlacementSearch search = *searchPlacement(config);
     EXPECT_TRUE(search.proof.isProven());
     EXPECT_GT(search.best.least_T, 0.02);
