@@ -73,7 +73,7 @@ static float derivative(hb_law* law, const hb_law_config* config, const hb_law_i
 }
 #endif
 
-#if HB_LAW_SECTIONS
+#if HB_LAW_SECTIONS > 0
 static float filtered(hb_law* law, const hb_law_config* config, float value) {
     uint8_t i;
     for (i = 0; i < HB_LAW_SECTIONS; ++i) {
@@ -99,7 +99,7 @@ static float positional(hb_law* law, const hb_law_config* config, const hb_law_i
     float error = input->reference_rad - input->position_rad;
     float demand = proportional(config, input, error) + law->integral_A + derivative(law, config, input);
     float command;
-#if HB_LAW_SECTIONS
+#if HB_LAW_SECTIONS > 0
     demand = filtered(law, config, demand);
 #endif
     demand = demand + feedForward(config, input) + stictionAssist(config, input, error);

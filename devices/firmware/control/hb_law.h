@@ -40,7 +40,7 @@ typedef struct {
 #if HB_LAW_WEIGHTS
     float reference_weight, derivative_reference_weight, derivative_filter_s; /* b, c, Tf */
 #endif
-#if HB_LAW_SECTIONS
+#if HB_LAW_SECTIONS > 0
     hb_law_section sections[HB_LAW_SECTIONS];
 #endif
     float inertia_As2_per_rad, viscous_As_per_rad, coulomb_A, coulomb_speed_rad_s;
@@ -56,7 +56,7 @@ typedef struct {
 #else
     float previous_position_rad;
 #endif
-#if HB_LAW_SECTIONS
+#if HB_LAW_SECTIONS > 0
     float filtered[HB_LAW_SECTIONS][2];
 #endif
     float previous_error_rad, memory_A; /* of the literal difference equation */

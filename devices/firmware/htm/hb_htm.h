@@ -40,7 +40,7 @@ typedef struct {
 #if HB_LAW_WEIGHTS
     float reference_weight, derivative_reference_weight, derivative_filter;
 #endif
-#if HB_LAW_SECTIONS
+#if HB_LAW_SECTIONS > 0
     hb_law_section sections[HB_LAW_SECTIONS];
 #endif
     float ff_inertia, ff_viscous, ff_coulomb, ff_coulomb_speed;

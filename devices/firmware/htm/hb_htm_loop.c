@@ -120,7 +120,7 @@ static hb_law_config lawOf(const hb_htm_calibration* page) {
     config.derivative_reference_weight = page->derivative_reference_weight;
     config.derivative_filter_s = page->derivative_filter;
 #endif
-#if HB_LAW_SECTIONS
+#if HB_LAW_SECTIONS > 0
     memcpy(config.sections, page->sections, sizeof config.sections);
 #endif
     config.inertia_As2_per_rad = page->ff_inertia;

@@ -78,7 +78,7 @@ static const hb_parameter Parameters[] HB_ROM = {
     PAGED("gain.derivative_filter", "s", derivative_filter, 0.0F, 0.0F, 10.0F, NULL,
           "Time constant of the derivative's filter"),
 #endif
-#if HB_LAW_SECTIONS
+#if HB_LAW_SECTIONS > 0
     SECTION(1, "filter.1.b0", "filter.1.b1", "filter.1.b2", "filter.1.a1", "filter.1.a2"),
     SECTION(2, "filter.2.b0", "filter.2.b1", "filter.2.b2", "filter.2.a1", "filter.2.a2"),
     SECTION(3, "filter.3.b0", "filter.3.b1", "filter.3.b2", "filter.3.a1", "filter.3.a2"),

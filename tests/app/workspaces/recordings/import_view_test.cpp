@@ -108,7 +108,7 @@ protected:
 TEST_F(ImportViewTest, showsTheFirstRowsAsTheyWouldBeReadAndImportsThem) {
     EXPECT_FALSE(button().isEnabled());
     EXPECT_TRUE(reason().startsWith("Choose a table")) << reason().toStdString();
-    look("t_ms;speed [rpm];Last [kg]\n0;30;1,25\n10;60;1,5\n20;90;1,75\n");
+    look("t_ms;speed [rpm];Last [stone]\n0;30;1,25\n10;60;1,5\n20;90;1,75\n");
     EXPECT_TRUE(button().isEnabled()) << reason().toStdString();
     EXPECT_EQ(header(0), "time [s]\nfrom t_ms");
     EXPECT_EQ(header(1), "speed [rad/s]\nfrom speed [rpm]");
@@ -125,7 +125,7 @@ TEST_F(ImportViewTest, showsTheFirstRowsAsTheyWouldBeReadAndImportsThem) {
     EXPECT_DOUBLE_EQ(recording.values[1], 1.25);
     EXPECT_EQ(imported, folder.filePath("log.csv"));
     EXPECT_TRUE(message().text.contains("3 rows")) << message().text.toStdString();
-    EXPECT_TRUE(message().remedy.contains("kg")) << message().remedy.toStdString(); // what is doubtful of it
+    EXPECT_TRUE(message().remedy.contains("stone")) << message().remedy.toStdString(); // what is doubtful of it
     EXPECT_FALSE(button().isEnabled());
 }
 
