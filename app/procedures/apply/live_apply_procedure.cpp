@@ -93,7 +93,7 @@ Result<std::vector<LiveStep>> Walk::plan(const std::vector<ParameterValue>& targ
 }
 
 Result<std::vector<ParameterValue>> Walk::write(const PositionLaw& law) {
-    auto values = lawForDevice(law, m_device.catalogue()); // finite and within the device's limits
+    auto values = lawForDevice(LoopLaw(law), m_device.catalogue()); // finite and within the device's limits
     if (!values) {
         return values;
     }
@@ -224,7 +224,7 @@ Result<LiveApplyResult> Walk::run() {
     if (auto plain = checkPlainLaw(m_device); !plain) {
         return failure(plain.error());
     }
-    const auto target = lawForDevice(m_config.target, m_device.catalogue());
+    const auto target = lawForDevice(LoopLaw(m_config.target), m_device.catalogue());
     if (!target) {
         return failure(target.error());
     }

@@ -1,5 +1,6 @@
 #include "devices/open/device_watcher.h"
 #include "devices/open/open_device.h"
+#include "devices/simulated/registry/simulated_models.h"
 #include "devices/transport/hid_port.h"
 #include "devices/transport/message_stream.h"
 #include "devices/transport/usb_port.h"
@@ -115,7 +116,8 @@ TEST(HotPlug, theWatcherTellsOfABoardThatComesAndGoes) {
     std::vector<DeviceListing> known;
     const auto waitFor = [&](std::size_t boards) {
         std::unique_lock lock(mutex);
-        return changed.wait_for(lock, std::chrono::seconds(5), [&] { return known.size() == 1 + boards; });
+        return changed.wait_for(lock, std::chrono::seconds(60),
+                                [&] { return known.size() == simulatedModels().size() + boards; });
     };
     const DeviceWatcher watcher(
         [&](const std::vector<DeviceListing>& list) {
