@@ -95,6 +95,18 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>choose a1 and a2 with 0 &lt; a2 &lt; a1 and 4 - 2 a1 + a2 &gt; 0</source>
+        <translation>a1 und a2 mit 0 &lt; a2 &lt; a1 und 4 - 2 a1 + a2 &gt; 0 wählen</translation>
+    </message>
+    <message>
+        <source>correct the coefficients of the section</source>
+        <translation>die Koeffizienten des Glieds berichtigen</translation>
+    </message>
+    <message>
+        <source>leave some of them out</source>
+        <translation>einige davon weglassen</translation>
+    </message>
+    <message>
         <source>The time in row {} of the table of poses does not rise.</source>
         <translation>Die Zeit in Zeile {} der Tabelle der Lagen steigt nicht.</translation>
     </message>

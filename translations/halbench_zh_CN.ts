@@ -95,6 +95,18 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>choose a1 and a2 with 0 &lt; a2 &lt; a1 and 4 - 2 a1 + a2 &gt; 0</source>
+        <translation>请选择满足 0 &lt; a2 &lt; a1 且 4 - 2 a1 + a2 &gt; 0 的 a1 和 a2</translation>
+    </message>
+    <message>
+        <source>correct the coefficients of the section</source>
+        <translation>请更正该环节的系数</translation>
+    </message>
+    <message>
+        <source>leave some of them out</source>
+        <translation>请去掉其中一些</translation>
+    </message>
+    <message>
         <source>The time in row {} of the table of poses does not rise.</source>
         <translation>姿态表第 {} 行的时间没有增加。</translation>
     </message>

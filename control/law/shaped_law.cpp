@@ -84,13 +84,15 @@ bool isStable(const LawSection<double>& section) {
 Result<TransferFunction> sampledSection(const LawSection<double>& section, double period_s) {
     for (const double number : {section.b0, section.b1, section.b2, section.a1, section.a2}) {
         if (!std::isfinite(number)) {
-            return failure(ErrorCode::NotFinite, "a coefficient of a filter is not a finite number");
+            return failure(ErrorCode::NotFinite, "a coefficient of a filter is not a finite number",
+                           "correct the coefficients of the section");
         }
     }
     if (!isStable(section)) {
         return failure(
             ErrorCode::OutOfRange,
-            fmt::format("the filter with a1 = {:.6g}, a2 = {:.6g} is not stable", section.a1, section.a2));
+            fmt::format("the filter with a1 = {:.6g}, a2 = {:.6g} is not stable", section.a1, section.a2),
+            "choose a1 and a2 with 0 < a2 < a1 and 4 - 2 a1 + a2 > 0");
     }
     const auto base = TimeBase::sampledChecked(period_s);
     if (!base) {
@@ -132,7 +134,8 @@ Result<PidGains> checkedGains(const ShapedLaw& law, double period_s) {
     }
     if (law.filters.size() > MostFilters) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("{} filters are more than {}", law.filters.size(), MostFilters));
+                       fmt::format("{} filters are more than {}", law.filters.size(), MostFilters),
+                       "leave some of them out");
     }
     for (const LoopFilter& filter : law.filters) {
         if (const auto sampled = sampledFilter(filter, period_s); !sampled) {
