@@ -33,6 +33,14 @@ OrientationAngles additiveInverse(double strength_T, const SphericalReadings& re
     return {alpha_rad, std::atan2(doubleSine / (2.0 * cosine), cosine), gamma_rad};
 }
 
+std::array<OrientationAngles, 2> sameMainReadings(const OrientationAngles& angles) {
+    const double chi_rad = std::atan2(-2.0 * std::sin(2.0 * angles.gamma_rad) * std::cos(angles.beta_rad),
+                                      -std::cos(2.0 * angles.gamma_rad) * std::sin(2.0 * angles.beta_rad));
+    const double turned_rad = angles.alpha_rad + 2.0 * chi_rad;
+    return {OrientationAngles{std::remainder(turned_rad, 2.0 * Pi), angles.beta_rad, -angles.gamma_rad},
+            OrientationAngles{std::remainder(turned_rad - Pi, 2.0 * Pi), -angles.beta_rad, angles.gamma_rad}};
+}
+
 AdditiveFit fitAdditiveModel(const AdditiveModel& model, const SphericalReadings& readings_T,
                              const OrientationAngles& start) {
     AdditiveFit fit;

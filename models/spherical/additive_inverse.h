@@ -13,6 +13,11 @@ namespace halbench::models {
 /// section 5.3.
 OrientationAngles additiveInverse(double strength_T, const SphericalReadings& readings_T);
 
+/// The two other poses at which the main sensor alone reads the same, with chi = atan2(-2 q sin 2g cos b, -q
+/// cos 2g sin 2b): (alpha + 2 chi, beta, -gamma) and (alpha + 2 chi - 180 degrees, -beta, gamma), alpha
+/// wrapped. Holds for the exact device too. Source: resources/help/spherical-theory.md section 5.6.
+std::array<OrientationAngles, 2> sameMainReadings(const OrientationAngles& angles);
+
 /// Least squares of all nine readings over the three angles by Levenberg-Marquardt from `start`, gamma
 /// wrapped into (-90, 90] degrees.
 struct AdditiveFit {
