@@ -23,6 +23,10 @@ const ParameterSpec* Catalogue::findParameter(const std::string& name) const {
     return find(parameters, &ParameterSpec::name, name);
 }
 
+const AxisSpec* Catalogue::findAxis(const std::string& id) const {
+    return find(axes, &AxisSpec::id, id);
+}
+
 std::string Catalogue::signalForRole(const std::string& role) const {
     const SignalSpec* spec = find(signals, &SignalSpec::role, role);
     return spec ? spec->name : std::string{};

@@ -3,6 +3,7 @@
 #include "control/base/parameter_spec.h"
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
+#include "devices/axis_spec.h"
 #include "devices/clock.h"
 
 #include <cstdint>
@@ -36,9 +37,11 @@ struct Catalogue {
     std::vector<std::string> procedures;          ///< names of the procedures that apply
     std::map<std::string, double> knownConstants; ///< from the profile, e.g. "I_max"
     std::vector<std::string> defaultSignals;      ///< what `record` takes when nothing is said
+    std::vector<AxisSpec> axes; ///< from the profile; empty: it senses only, or nothing is known of it
 
     const SignalSpec* findSignal(const std::string& name) const;
     const ParameterSpec* findParameter(const std::string& name) const;
+    const AxisSpec* findAxis(const std::string& id) const;
     /// Name of the signal or parameter that plays a role ("coil_temperature.a"); empty if none does.
     std::string signalForRole(const std::string& role) const;
     std::string parameterForRole(const std::string& role) const;

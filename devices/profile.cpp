@@ -1,5 +1,7 @@
 #include "devices/profile.h"
 
+#include "devices/profile_axes.h"
+
 #include <QtCore/QFile>
 #include <QtCore/QJsonArray>
 #include <QtCore/QJsonDocument>
@@ -22,7 +24,7 @@ namespace {
 constexpr const char* Schema = "halbench.profile/1";
 constexpr std::array KnownKeys = {"schema",          "model",      "title",     "signal_roles",
                                   "parameter_roles", "procedures", "constants", "default_signals",
-                                  "calibration",     "defaults"};
+                                  "calibration",     "defaults",   "axes"};
 
 std::string text(const QString& string) {
     return string.toStdString();
@@ -52,6 +54,7 @@ public:
         profile.defaultSignals = list("default_signals");
         profile.calibration = list("calibration");
         profile.defaults = numbers("defaults");
+        readAxes(profile);
         if (!m_error.message.empty()) {
             return failure(m_error);
         }
@@ -123,6 +126,15 @@ private:
             result.push_back(text(entry.toString()));
         }
         return result;
+    }
+
+    void readAxes(Profile& profile) {
+        Result<std::vector<AxisSpec>> axes = axesFrom(m_root.value(QLatin1String("axes")), profile);
+        if (axes) {
+            profile.axes = *std::move(axes);
+        } else {
+            fail(axes.error().message, axes.error().hint);
+        }
     }
 
     QJsonObject objectValue(const char* key) {
@@ -202,6 +214,11 @@ void applyProfile(const Profile& profile, Catalogue& catalogue) {
     }
     catalogue.procedures = profile.procedures;
     catalogue.knownConstants = profile.constants;
+    for (const AxisSpec& axis : profile.axes) {
+        if (!catalogue.signalForRole(axis.roles.position).empty()) {
+            catalogue.axes.push_back(axis);
+        }
+    }
     for (const std::string& name : profile.defaultSignals) {
         if (catalogue.findSignal(name) != nullptr) {
             catalogue.defaultSignals.push_back(name);
