@@ -2251,6 +2251,38 @@
         <translation>{}: ein Profil ist ein einziges JSON-Objekt</translation>
     </message>
     <message>
+        <source>must be true or false</source>
+        <translation>muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>is not a key of an axis</source>
+        <translation>ist kein Schlüssel einer Achse</translation>
+    </message>
+    <message>
+        <source>must be a positive number</source>
+        <translation>muss eine positive Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be &quot;rad&quot; or &quot;m&quot;</source>
+        <translation>muss &quot;rad&quot; oder &quot;m&quot; sein</translation>
+    </message>
+    <message>
+        <source>must be a unit of the program, e.g. &quot;N&quot;</source>
+        <translation>muss eine Einheit des Programms sein, z. B. &quot;N&quot;</translation>
+    </message>
+    <message>
+        <source>must be a role of this profile</source>
+        <translation>muss eine Rolle dieses Profils sein</translation>
+    </message>
+    <message>
+        <source>must be a list of axes</source>
+        <translation>muss eine Liste von Achsen sein</translation>
+    </message>
+    <message>
+        <source>must differ from the other axes</source>
+        <translation>muss sich von den anderen Achsen unterscheiden</translation>
+    </message>
+    <message>
         <source>the device was unplugged</source>
         <translation>das Gerät wurde abgezogen</translation>
     </message>
@@ -3807,6 +3839,10 @@
         <translation>Wiederholen Sie die Bewegung.</translation>
     </message>
     <message>
+        <source>{} degrees</source>
+        <translation>{} Grad</translation>
+    </message>
+    <message>
         <source>a move of {} s is out of range</source>
         <translation>eine Bewegung von {} s ist außerhalb des Bereichs</translation>
     </message>
@@ -3823,8 +3859,20 @@
         <translation>{} von {} Abtastwerten kamen an</translation>
     </message>
     <message>
+        <source>the board followed another reference than commanded, {} away</source>
+        <translation>das Steuergerät folgte einem anderen Sollwert als befohlen, {} entfernt</translation>
+    </message>
+    <message>
         <source>waits for standstill</source>
         <translation>wartet auf Stillstand</translation>
+    </message>
+    <message>
+        <source>the device knows no zero of its axes and does not find it</source>
+        <translation>das Gerät kennt den Nullpunkt seiner Achsen nicht und findet ihn nicht</translation>
+    </message>
+    <message>
+        <source>Check its sensors, home it, and move again. Nothing was armed.</source>
+        <translation>Prüfen Sie seine Sensoren, referenzieren Sie es und fahren Sie erneut. Nichts wurde scharf geschaltet.</translation>
     </message>
     <message>
         <source>a {} needs {}</source>
@@ -3867,8 +3915,20 @@
         <translation>Erlaubt: {} bis {}{}.</translation>
     </message>
     <message>
+        <source>{} does not go with the other keys: a length beside an angle</source>
+        <translation>{} passt nicht zu den anderen Schlüsseln: eine Länge neben einem Winkel</translation>
+    </message>
+    <message>
         <source>reference: &apos;{}&apos; is given twice</source>
         <translation>Verlauf: „{}“ ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>axis {} turns, and the reference is a length</source>
+        <translation>Achse {} dreht sich, und der Sollwert ist eine Länge</translation>
+    </message>
+    <message>
+        <source>axis {} moves along a line, and the reference is an angle</source>
+        <translation>Achse {} bewegt sich geradlinig, und der Sollwert ist ein Winkel</translation>
     </message>
     <message>
         <source>{} is not a number at {} s</source>
@@ -5103,20 +5163,36 @@
         <translation>sehen Sie nach, wo der Aktor steht, und starten Sie dann erneut; neuere Firmware dieses Steuergeräts verträgt eine verlorene Antwort</translation>
     </message>
     <message>
-        <source>the board followed another reference than commanded, {} degrees away</source>
-        <translation>das Steuergerät folgte einem anderen Sollwert als vorgegeben, {} Grad entfernt</translation>
-    </message>
-    <message>
         <source>See where the rotor stands and that no other program uses the board, then move again.</source>
         <translation>Sehen Sie nach, wo der Rotor steht und dass kein anderes Programm das Steuergerät benutzt, und fahren Sie dann erneut.</translation>
+    </message>
+    <message>
+        <source>See that no other program uses the board, then move again.</source>
+        <translation>Sorgen Sie dafür, dass kein anderes Programm das Steuergerät benutzt, und fahren Sie dann erneut.</translation>
     </message>
     <message>
         <source>the rotor ended at {} instead of {} degrees</source>
         <translation>der Rotor endete bei {} statt bei {} Grad</translation>
     </message>
     <message>
+        <source>axis {} ended at {} instead of {} {}</source>
+        <translation>Achse {} endete bei {} statt bei {} {}</translation>
+    </message>
+    <message>
         <source>Move for longer; check the gains and that nothing blocks the rotor.</source>
         <translation>Fahren Sie länger; prüfen Sie die Reglerparameter und dass nichts den Rotor blockiert.</translation>
+    </message>
+    <message>
+        <source>Move for longer; check the gains and that nothing is in the way.</source>
+        <translation>Fahren Sie länger; prüfen Sie die Verstärkungen und dass nichts im Weg ist.</translation>
+    </message>
+    <message>
+        <source>a move of {} {} leaves the window of {} {} of axis {}</source>
+        <translation>eine Bewegung um {} {} verlässt das Fenster von {} {} der Achse {}</translation>
+    </message>
+    <message>
+        <source>Move less, or set {} on the device. Nothing was armed.</source>
+        <translation>Fahren Sie weniger weit, oder setzen Sie {} am Gerät. Nichts wurde scharf geschaltet.</translation>
     </message>
     <message>
         <source>the limit or level of a nonlinear element must be positive, its hysteresis not negative</source>
@@ -5885,6 +5961,30 @@
     <message>
         <source>The old values run again. See that the link is not overloaded, and apply again.</source>
         <translation>Die alten Werte gelten wieder. Sorgen Sie dafür, dass die Verbindung nicht überlastet ist, und wenden Sie sie noch einmal an.</translation>
+    </message>
+    <message>
+        <source>Its axes: {}.</source>
+        <translation>Seine Achsen: {}.</translation>
+    </message>
+    <message>
+        <source>the device has several axes and none is named</source>
+        <translation>das Gerät hat mehrere Achsen, und keine ist genannt</translation>
+    </message>
+    <message>
+        <source>{} Name one with --axis, in an experiment with the key &apos;axis&apos;.</source>
+        <translation>{} Nennen Sie eine mit --axis, in einem Experiment mit dem Schlüssel &apos;axis&apos;.</translation>
+    </message>
+    <message>
+        <source>only one axis moves at a time, not all</source>
+        <translation>es bewegt sich nur eine Achse auf einmal, nicht alle</translation>
+    </message>
+    <message>
+        <source>{} Move one after the other.</source>
+        <translation>{} Bewegen Sie eine nach der anderen.</translation>
+    </message>
+    <message>
+        <source>the device has no axis &apos;{}&apos;</source>
+        <translation>das Gerät hat keine Achse &apos;{}&apos;</translation>
     </message>
     <message>
         <source>the swept rows are not whole sweeps of three signals</source>

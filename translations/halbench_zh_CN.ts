@@ -2251,6 +2251,38 @@
         <translation>{}：配置文件是一个 JSON 对象</translation>
     </message>
     <message>
+        <source>must be true or false</source>
+        <translation>必须为 true 或 false</translation>
+    </message>
+    <message>
+        <source>is not a key of an axis</source>
+        <translation>不是轴的键</translation>
+    </message>
+    <message>
+        <source>must be a positive number</source>
+        <translation>必须为正数</translation>
+    </message>
+    <message>
+        <source>must be &quot;rad&quot; or &quot;m&quot;</source>
+        <translation>必须为 &quot;rad&quot; 或 &quot;m&quot;</translation>
+    </message>
+    <message>
+        <source>must be a unit of the program, e.g. &quot;N&quot;</source>
+        <translation>必须是本程序的单位，例如 &quot;N&quot;</translation>
+    </message>
+    <message>
+        <source>must be a role of this profile</source>
+        <translation>必须是此配置文件中的角色</translation>
+    </message>
+    <message>
+        <source>must be a list of axes</source>
+        <translation>必须是轴的列表</translation>
+    </message>
+    <message>
+        <source>must differ from the other axes</source>
+        <translation>必须与其他轴不同</translation>
+    </message>
+    <message>
         <source>the device was unplugged</source>
         <translation>设备已被拔出</translation>
     </message>
@@ -3807,6 +3839,10 @@
         <translation>请重复该运动。</translation>
     </message>
     <message>
+        <source>{} degrees</source>
+        <translation>{} 度</translation>
+    </message>
+    <message>
         <source>a move of {} s is out of range</source>
         <translation>运动时间 {} s 超出范围</translation>
     </message>
@@ -3823,8 +3859,20 @@
         <translation>收到 {} 个样本，应为 {} 个</translation>
     </message>
     <message>
+        <source>the board followed another reference than commanded, {} away</source>
+        <translation>控制板跟随的参考值与指令不同，相差 {}</translation>
+    </message>
+    <message>
         <source>waits for standstill</source>
         <translation>等待静止</translation>
+    </message>
+    <message>
+        <source>the device knows no zero of its axes and does not find it</source>
+        <translation>设备不知道各轴的零点，也找不到零点</translation>
+    </message>
+    <message>
+        <source>Check its sensors, home it, and move again. Nothing was armed.</source>
+        <translation>请检查传感器，执行回零，然后重新运动。未使能任何输出。</translation>
     </message>
     <message>
         <source>a {} needs {}</source>
@@ -3867,8 +3915,20 @@
         <translation>允许：{} 到 {}{}。</translation>
     </message>
     <message>
+        <source>{} does not go with the other keys: a length beside an angle</source>
+        <translation>{} 与其他键不一致：长度与角度混用</translation>
+    </message>
+    <message>
         <source>reference: &apos;{}&apos; is given twice</source>
         <translation>参考信号：“{}”给出了两次</translation>
+    </message>
+    <message>
+        <source>axis {} turns, and the reference is a length</source>
+        <translation>轴 {} 是旋转轴，而参考值是长度</translation>
+    </message>
+    <message>
+        <source>axis {} moves along a line, and the reference is an angle</source>
+        <translation>轴 {} 是直线轴，而参考值是角度</translation>
     </message>
     <message>
         <source>{} is not a number at {} s</source>
@@ -5103,20 +5163,36 @@
         <translation>请查看执行器的位置，然后重新启动；该控制板的新固件可以承受应答丢失</translation>
     </message>
     <message>
-        <source>the board followed another reference than commanded, {} degrees away</source>
-        <translation>控制板跟随的给定值与指令不同，相差 {} 度</translation>
-    </message>
-    <message>
         <source>See where the rotor stands and that no other program uses the board, then move again.</source>
         <translation>请查看转子的位置，确认没有其他程序在使用控制板，然后重新运动。</translation>
+    </message>
+    <message>
+        <source>See that no other program uses the board, then move again.</source>
+        <translation>请确认没有其他程序在使用控制板，然后重新运动。</translation>
     </message>
     <message>
         <source>the rotor ended at {} instead of {} degrees</source>
         <translation>转子停在 {} 度，而不是 {} 度</translation>
     </message>
     <message>
+        <source>axis {} ended at {} instead of {} {}</source>
+        <translation>轴 {} 停在 {}，而不是 {} {}</translation>
+    </message>
+    <message>
         <source>Move for longer; check the gains and that nothing blocks the rotor.</source>
         <translation>请延长运动时间；检查增益，并确认没有东西卡住转子。</translation>
+    </message>
+    <message>
+        <source>Move for longer; check the gains and that nothing is in the way.</source>
+        <translation>请延长运动时间；检查增益，并确认没有障碍物。</translation>
+    </message>
+    <message>
+        <source>a move of {} {} leaves the window of {} {} of axis {}</source>
+        <translation>移动 {} {} 会超出 {} {} 的窗口（轴 {}）</translation>
+    </message>
+    <message>
+        <source>Move less, or set {} on the device. Nothing was armed.</source>
+        <translation>请减小移动量，或在设备上设置 {}。未使能任何输出。</translation>
     </message>
     <message>
         <source>the limit or level of a nonlinear element must be positive, its hysteresis not negative</source>
@@ -5885,6 +5961,30 @@
     <message>
         <source>The old values run again. See that the link is not overloaded, and apply again.</source>
         <translation>旧值已恢复。请确认通信链路没有过载，然后重新应用。</translation>
+    </message>
+    <message>
+        <source>Its axes: {}.</source>
+        <translation>它的轴：{}。</translation>
+    </message>
+    <message>
+        <source>the device has several axes and none is named</source>
+        <translation>设备有多个轴，但未指定轴</translation>
+    </message>
+    <message>
+        <source>{} Name one with --axis, in an experiment with the key &apos;axis&apos;.</source>
+        <translation>{}请用 --axis 指定一个轴；在实验文件中用键 &apos;axis&apos;。</translation>
+    </message>
+    <message>
+        <source>only one axis moves at a time, not all</source>
+        <translation>每次只能移动一个轴，不能同时移动全部轴</translation>
+    </message>
+    <message>
+        <source>{} Move one after the other.</source>
+        <translation>{}请逐个移动。</translation>
+    </message>
+    <message>
+        <source>the device has no axis &apos;{}&apos;</source>
+        <translation>设备没有轴 &apos;{}&apos;</translation>
     </message>
     <message>
         <source>the swept rows are not whole sweeps of three signals</source>

@@ -73,7 +73,7 @@ std::string agreementLine(const ApplyResult& applied) {
     return fmt::format(
         "at rest {:.3g} deg from the set-point (allowed {:.3g}, friction band {:.3g}), "
         "at most {:.3g} deg off the prediction, at {:.3g} s\n",
-        radiansToDegrees(std::abs(applied.verification->measured.finalError_rad)),
+        radiansToDegrees(std::abs(applied.verification->measured.finalError)),
         radiansToDegrees(applied.band->allowed_rad), radiansToDegrees(applied.band->friction_rad),
         radiansToDegrees(std::abs(applied.band->largestOff_rad)), applied.band->largestOffTime_s);
 }

@@ -1,8 +1,11 @@
 #include "app/documents/result_documents.h"
 #include "control/base/units.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace halbench::app {
 
@@ -11,6 +14,11 @@ namespace {
 JsonValue degreesOrNull(const std::optional<double>& angle_rad) {
     // A limit that was written in degrees reads as it was written.
     return angle_rad ? finiteOrNull(std::round(radiansToDegrees(*angle_rad) * 1e9) * 1e-9) : JsonValue();
+}
+
+std::string suffixOf(const std::string& symbol) {
+    const std::optional<Unit> unit = findUnit(symbol);
+    return std::string(unit ? unit->suffix : std::string_view(symbol));
 }
 
 double median(std::vector<double> values) {
@@ -65,33 +73,60 @@ JsonValue calibrationBody(const CalibrateResult& result) {
     return body.set("duration_s", result.duration_s);
 }
 
-JsonValue moveFigures(const MoveFigures& figures) {
+JsonValue moveFigures(const MoveFigures& figures, const std::string& unit) {
     JsonValue body = JsonValue::object();
+    const auto setPosition = [&](const char* name, double position) {
+        body.set(fmt::format("{}_{}", name, unit),
+                 finiteOrNull(unit == "deg" ? radiansToDegrees(position) : position));
+    };
     body.set("rise_time_s", finiteOrNull(figures.riseTime_s));
     body.set("overshoot_percent", finiteOrNull(figures.overshoot_percent));
     body.set("peak_time_s", finiteOrNull(figures.peakTime_s));
     body.set("settling_time_s", finiteOrNull(figures.settlingTime_s));
-    body.set("final_error_deg", finiteOrNull(radiansToDegrees(figures.finalError_rad)));
-    body.set("max_error_deg", finiteOrNull(radiansToDegrees(figures.maxError_rad)));
-    body.set("rms_error_deg", finiteOrNull(radiansToDegrees(figures.rmsError_rad)));
-    body.set("mean_error_deg", finiteOrNull(radiansToDegrees(figures.meanError_rad)));
-    body.set("peak_error_deg", finiteOrNull(radiansToDegrees(figures.peakError_rad)));
-    body.set("first_second_error_deg", finiteOrNull(radiansToDegrees(figures.firstSecondError_rad)));
-    body.set("peak_to_peak_deg", finiteOrNull(radiansToDegrees(figures.peakToPeak_rad)));
+    setPosition("final_error", figures.finalError);
+    setPosition("max_error", figures.maxError);
+    setPosition("rms_error", figures.rmsError);
+    setPosition("mean_error", figures.meanError);
+    setPosition("peak_error", figures.peakError);
+    setPosition("first_second_error", figures.firstSecondError);
+    setPosition("peak_to_peak", figures.peakToPeak);
     body.set("lock_time_s", finiteOrNull(figures.lockTime_s));
     body.set("gain", finiteOrNull(figures.gain_ratio));
     return body.set("phase_deg", finiteOrNull(figures.phase_deg));
 }
 
 JsonValue moveBody(const MoveResult& result) {
-    JsonValue body = moveFigures(result.figures());
-    const JsonValue measured = moveFigures(result.measured);
+    const bool isOneOfSeveral = !result.others.empty();
+    const std::string unit = isOneOfSeveral ? result.axis.positionUnit : std::string("deg");
+    JsonValue body = moveFigures(result.figures(), unit);
+    const JsonValue measured = moveFigures(result.measured, unit);
     for (const JsonMember& figure : measured.members()) {
         body.set("measured_" + figure.key, figure.value);
     }
-    body.set("lock_threshold_deg", degreesOrNull(result.lockThreshold_rad));
+    if (isOneOfSeveral) {
+        body.set("lock_threshold_" + unit, finiteOrNull(result.lockThreshold));
+        body.set("peak_effort_" + suffixOf(result.axis.effortUnit), finiteOrNull(result.peakEffort));
+    } else {
+        body.set("lock_threshold_deg", degreesOrNull(result.lockThreshold));
+    }
     body.set("peak_current_A", finiteOrNull(result.peakCurrent_A));
     return body.set("highest_temperature_degC", finiteOrNull(result.highestTemperature_degC));
+}
+
+JsonValue movedAxes(const MoveResult& result) {
+    JsonValue others = JsonValue::array();
+    for (const CrossAxisPeak& other : result.others) {
+        const std::string& unit = other.axis.positionUnit;
+        JsonValue entry = JsonValue::object();
+        entry.set("axis", other.axis.id);
+        entry.set("peak_" + unit, finiteOrNull(other.truth ? *other.truth : other.measured));
+        others.push(entry.set("measured_peak_" + unit, finiteOrNull(other.measured)));
+    }
+    JsonValue entry = JsonValue::object();
+    entry.set("axis", result.axis.id).set("figures", moveBody(result));
+    entry.set("predicted", JsonValue()); // no model of such an axis is known yet
+    JsonValue axes = JsonValue::array();
+    return axes.push(entry.set("cross_axes", others));
 }
 
 JsonValue repetitionBody(const MoveRepetition& repetition) {

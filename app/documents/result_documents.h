@@ -36,10 +36,14 @@ JsonValue gainsBody(const TuneResult& result);
 JsonValue analysisBody(const AnalysisResult& result);
 /// What gains are judged by beside their prediction: proof, robustness, limit cycles, hunting.
 void setJudgement(JsonValue& body, const TuneResult& result);
+/// The figures of the axis that moved: on a device with one axis angles in degrees, with several in SI units.
 JsonValue moveBody(const MoveResult& result);
+/// `axes` of a move on a device with several: each with `axis`, its figures and what the others did meanwhile.
+JsonValue movedAxes(const MoveResult& result);
 /// Of a move that was repeated; it holds at least one run.
 JsonValue repetitionBody(const MoveRepetition& repetition);
-JsonValue moveFigures(const MoveFigures& figures);
+/// `unit` of the positions: "deg" or that of the axis.
+JsonValue moveFigures(const MoveFigures& figures, const std::string& unit = "deg");
 JsonValue amplifierBody(const AmplifierAnalysis& result);
 JsonValue motorAnalysisBody(const MotorAnalysis& result);
 JsonValue applyBody(const ApplyResult& result);

@@ -24,7 +24,7 @@ public:
           m_coils(start) {}
 
     Result<StepPlan> plan(const ExperimentStep& step) {
-        StepPlan plan{step.kind, step.name, 0.0, 0.0, m_coils.highest_degC()};
+        StepPlan plan{step.kind, step.name, 0.0, 0.0, m_coils.highest_degC};
         Result<void> planned;
         if (step.kind == "identify") {
             planned = planIdentify(step, plan);
@@ -60,7 +60,7 @@ private:
         const double reached_degC =
             forecastCoil_degC(coilModel(m_device.catalogue()), m_coils, meanSquare_A2, plan.duration_s);
         plan.highestTemperature_degC = std::max(plan.highestTemperature_degC, reached_degC);
-        m_coils.a_degC = m_coils.b_degC = reached_degC;
+        m_coils.highest_degC = m_coils.lowest_degC = reached_degC;
     }
 
     Result<void> planIdentify(const ExperimentStep& step, StepPlan& plan) {
@@ -68,11 +68,11 @@ private:
         if (!config) {
             return failure(config.error());
         }
-        const IdentifyPrediction prediction = predictIdentify(*config, m_coils.highest_degC());
+        const IdentifyPrediction prediction = predictIdentify(*config, m_coils.highest_degC);
         plan.duration_s = prediction.duration_s;
         plan.peakCurrent_A = prediction.peakCurrent_A;
         plan.highestTemperature_degC = prediction.highestTemperature_degC;
-        m_coils.a_degC = m_coils.b_degC = prediction.highestTemperature_degC;
+        m_coils.highest_degC = m_coils.lowest_degC = prediction.highestTemperature_degC;
         return {};
     }
 
@@ -138,7 +138,7 @@ private:
         takeValues(preset->values);
         if (const std::optional<double> height_deg = step.number("verify_step_deg")) {
             MoveConfig config;
-            config.reference.amplitude_rad = *height_deg * 3.14159265358979323846 / 180.0;
+            config.reference.amplitude = *height_deg * 3.14159265358979323846 / 180.0;
             addMove(config, plan);
         }
         return {};

@@ -176,7 +176,7 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
     config.evaluateFrom_s = step.number("evaluate_from_s");
     config.evaluateTo_s = step.number("evaluate_to_s");
     if (const std::optional<double> threshold_deg = step.number("lock_threshold_deg")) {
-        config.lockThreshold_rad = degreesToRadians(*threshold_deg);
+        config.lockThreshold = degreesToRadians(*threshold_deg);
     }
     return config;
 }

@@ -174,7 +174,7 @@ Result<StepOutcome> runApplyStep(StepRun& run, const ExperimentStep& step) {
     if (const std::optional<double> height_deg = step.number("verify_step_deg")) {
         ApplyVerification verification;
         verification.reference.shape = MoveReference::Shape::Step;
-        verification.reference.amplitude_rad = degreesToRadians(*height_deg);
+        verification.reference.amplitude = degreesToRadians(*height_deg);
         verification.motor = proposal->motor.value_or(MotorEstimate{});
         config.verification = verification;
     }

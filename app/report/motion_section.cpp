@@ -110,13 +110,13 @@ ReportTable figuresTable(const std::vector<std::pair<std::string, const MoveFigu
     row("peak time", "s", 1.0, 3, [](const MoveFigures& f) { return f.peakTime_s; });
     row("settling time, 2 %", "s", 1.0, 3, [](const MoveFigures& f) { return f.settlingTime_s; });
     row("locked from", "s", 1.0, 3, [](const MoveFigures& f) { return f.lockTime_s; });
-    row("final error", "\u00b0", degrees, 3, [](const MoveFigures& f) { return Number(f.finalError_rad); });
+    row("final error", "\u00b0", degrees, 3, [](const MoveFigures& f) { return Number(f.finalError); });
     row("largest error, evaluated part", "\u00b0", degrees, 3,
-        [](const MoveFigures& f) { return Number(f.maxError_rad); });
+        [](const MoveFigures& f) { return Number(f.maxError); });
     row("rms error, evaluated part", "\u00b0", degrees, 3,
-        [](const MoveFigures& f) { return Number(f.rmsError_rad); });
+        [](const MoveFigures& f) { return Number(f.rmsError); });
     row("largest error, whole run", "\u00b0", degrees, 3,
-        [](const MoveFigures& f) { return Number(f.peakError_rad); });
+        [](const MoveFigures& f) { return Number(f.peakError); });
     row("gain", "", 1.0, 4, [](const MoveFigures& f) { return f.gain_ratio; });
     row("phase", "\u00b0", 1.0, 2, [](const MoveFigures& f) { return f.phase_deg; });
     return table;
@@ -161,9 +161,9 @@ void appendMove(ReportSection& section, const MoveResult& result,
     ReportFacts facts{
         {{"peak current", fmt::format("{:.3f} A", result.peakCurrent_A)},
          {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}};
-    if (result.lockThreshold_rad) {
+    if (result.lockThreshold) {
         facts.facts.push_back({"locked means", fmt::format("error below {:.3g}\u00b0 to the end",
-                                                           radiansToDegrees(*result.lockThreshold_rad))});
+                                                           radiansToDegrees(*result.lockThreshold))});
     }
     section.blocks.emplace_back(std::move(facts));
 }

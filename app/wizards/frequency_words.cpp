@@ -96,7 +96,7 @@ FrequencyMargins frequencyOutlookMargins(const devices::Catalogue& catalogue,
 QString frequencyOutlook(const FrequencyConfig& config, const FrequencyPlan& plan, double warmest_degC) {
     double swing_rad = 0.0;
     for (const FrequencyStage& stage : plan.stages) {
-        swing_rad = std::max(swing_rad, stage.reference.amplitude_rad);
+        swing_rad = std::max(swing_rad, stage.reference.amplitude);
     }
     const double speed_rad_s = std::abs(plan.turn_rad_s);
     const double turns = speed_rad_s * plan.duration_s() / (2.0 * Pi);

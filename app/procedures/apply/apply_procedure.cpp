@@ -72,7 +72,7 @@ ApplyVerification stepVerification(const MotorEstimate& motor) {
     ApplyVerification verification;
     verification.motor = motor;
     verification.reference.shape = MoveReference::Shape::Step;
-    verification.reference.amplitude_rad = 0.5;
+    verification.reference.amplitude = 0.5;
     return verification;
 }
 

@@ -39,7 +39,7 @@ Result<PositionLaw> lawOf(const PositionLaw& target, const devices::Catalogue& c
 ApplyVerification verificationOf(const LiveApplyConfig& config, double direction) {
     ApplyVerification verification = stepVerification(config.motor);
     verification.draws = config.draws;
-    verification.reference.amplitude_rad = direction * config.amplitude_rad;
+    verification.reference.amplitude = direction * config.amplitude_rad;
     verification.duration_s = config.duration_s;
     return verification;
 }

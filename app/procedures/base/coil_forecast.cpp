@@ -22,16 +22,16 @@ Result<CoilTemperatures> waitUntilCool(devices::Device& device, const ProcedureO
     const double start_s = device.clock().now_s();
     for (;;) {
         const auto now = readCoilTemperatures(device);
-        if (!now || now->highest_degC() <= pause_degC) {
+        if (!now || now->highest_degC <= pause_degC) {
             return now;
         }
         if (device.clock().now_s() - start_s > LongestPause_s) {
             return failure(ErrorCode::Refused,
                            fmt::format("a coil is at {:.0f} degC and does not cool below {:.0f} degC",
-                                       now->highest_degC(), pause_degC),
+                                       now->highest_degC, pause_degC),
                            "Cool the motor's surroundings and try again.");
         }
-        const std::string text = fmt::format("waits for the coils to cool: {:.0f} degC", now->highest_degC());
+        const std::string text = fmt::format("waits for the coils to cool: {:.0f} degC", now->highest_degC);
         if (auto waited = waitObserved(device, observer, 1.0, 0.0, 0.0, text); !waited) {
             return failure(waited.error());
         }
@@ -41,20 +41,25 @@ Result<CoilTemperatures> waitUntilCool(devices::Device& device, const ProcedureO
 } // namespace
 
 Result<CoilTemperatures> readCoilTemperatures(devices::Device& device) {
-    const std::string names[] = {device.catalogue().signalForRole("coil_temperature.a"),
-                                 device.catalogue().signalForRole("coil_temperature.b")};
-    if (names[0].empty() || names[1].empty()) {
+    std::vector<std::string> names;
+    for (const SignalSpec& signal : device.catalogue().signals) {
+        if (signal.role.starts_with("coil_temperature.")) {
+            names.push_back(signal.name);
+        }
+    }
+    if (names.empty()) {
         return CoilTemperatures{};
     }
     const auto values = device.readSignals(names);
     if (!values) {
         return failure(values.error());
     }
-    if (!std::isfinite((*values)[0]) || !std::isfinite((*values)[1])) {
+    if (!std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); })) {
         return failure(ErrorCode::NotFinite, "a coil temperature is not a number",
                        "Nothing is armed without it; check the temperature sensors.");
     }
-    return CoilTemperatures{(*values)[0], (*values)[1]};
+    const auto [lowest, highest] = std::minmax_element(values->begin(), values->end());
+    return CoilTemperatures{*highest, *lowest};
 }
 
 models::CoilHeatingConfig coilModel(const devices::Catalogue& catalogue) {
@@ -70,10 +75,10 @@ double forecastCoil_degC(const models::CoilHeatingConfig& model, const CoilTempe
                          double meanSquare_A2, double duration_s) {
     constexpr double WarmestAmbient_degC = 40.0;
     models::CoilHeatingConfig config = model;
-    config.ambient_degC = std::min(start.lowest_degC(), WarmestAmbient_degC);
-    models::CoilHeatingState coil{start.highest_degC()};
+    config.ambient_degC = std::min(start.lowest_degC, WarmestAmbient_degC);
+    models::CoilHeatingState coil{start.highest_degC};
     stepCoilHeatingSquare(config, coil, meanSquare_A2, duration_s);
-    return std::max(coil.temperature_degC, start.highest_degC());
+    return std::max(coil.temperature_degC, start.highest_degC);
 }
 
 Result<double> admitHeat(devices::Device& device, const ProcedureObserver& observer, double meanSquare_A2,

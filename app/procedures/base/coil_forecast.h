@@ -5,16 +5,13 @@
 
 namespace halbench::app {
 
-/// Coil temperatures as the board reports them.
+/// Temperatures of the warmest and the coldest coil as the board reports them.
 struct CoilTemperatures {
-    double a_degC = 25.0;
-    double b_degC = 25.0;
-    double highest_degC() const { return a_degC > b_degC ? a_degC : b_degC; }
-    double lowest_degC() const { return a_degC < b_degC ? a_degC : b_degC; }
+    double highest_degC = 25.0;
+    double lowest_degC = 25.0;
 };
 
-/// By the roles coil_temperature.a and .b; 25 degC for a device that has none. Errors: of the device,
-/// NotFinite.
+/// By all roles coil_temperature.*; 25 degC for a device that has none. Errors: of the device, NotFinite.
 Result<CoilTemperatures> readCoilTemperatures(devices::Device& device);
 
 /// The thermal model of one phase from the profile's constants C_th, R_th, R_a, alpha_copper; what is absent

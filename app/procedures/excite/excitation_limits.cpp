@@ -10,8 +10,8 @@ constexpr double Margin_degC = 2.0;
 constexpr double DefaultLimit_degC = 80.0;
 constexpr double Coldest_degC = -100.0; // below it a sensor is broken
 
-void watch(const devices::Catalogue& catalogue, std::vector<devices::GuardLimit>& limits, const char* role,
-           double min, double max, bool isFromStart = false) {
+void watch(const devices::Catalogue& catalogue, std::vector<devices::GuardLimit>& limits,
+           const std::string& role, double min, double max, bool isFromStart = false) {
     if (const std::string signal = catalogue.signalForRole(role); !signal.empty()) {
         limits.push_back({signal, min, max, isFromStart});
     }
@@ -19,21 +19,23 @@ void watch(const devices::Catalogue& catalogue, std::vector<devices::GuardLimit>
 
 } // namespace
 
-std::vector<devices::GuardLimit> excitationLimits(const devices::Catalogue& catalogue,
-                                                  double speedLimit_rad_s,
-                                                  std::optional<double> positionWindow_rad) {
+std::vector<devices::GuardLimit> excitationLimits(const devices::Catalogue& catalogue, double speedLimit,
+                                                  std::optional<double> positionWindow,
+                                                  const devices::AxisSpec& axis) {
     std::vector<devices::GuardLimit> limits;
-    const double speed_rad_s = Margin_ratio * speedLimit_rad_s;
-    watch(catalogue, limits, "speed", -speed_rad_s, speed_rad_s);
-    if (positionWindow_rad) {
-        const double window_rad = Margin_ratio * *positionWindow_rad;
-        watch(catalogue, limits, "position", -window_rad, window_rad, true);
+    const double speed = Margin_ratio * speedLimit;
+    watch(catalogue, limits, axis.roles.speed, -speed, speed);
+    if (positionWindow) {
+        const double window = Margin_ratio * *positionWindow;
+        watch(catalogue, limits, axis.roles.position, -window, window, true);
     }
     const auto limit = catalogue.knownConstants.find("T_limit_degC");
     const double hottest_degC =
         (limit == catalogue.knownConstants.end() ? DefaultLimit_degC : limit->second) + Margin_degC;
-    for (const char* role : {"coil_temperature.a", "coil_temperature.b"}) {
-        watch(catalogue, limits, role, Coldest_degC, hottest_degC);
+    for (const SignalSpec& signal : catalogue.signals) {
+        if (signal.role.starts_with("coil_temperature.")) {
+            limits.push_back({signal.name, Coldest_degC, hottest_degC});
+        }
     }
     return limits;
 }

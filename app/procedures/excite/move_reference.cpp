@@ -18,7 +18,11 @@ constexpr std::array<std::string_view, 6> ShapeNames = {"step",      "ramp",  "s
 // What the board's generator takes; resources/help/protocol.md 3.15.
 constexpr double LargestAngle_rad = 10000.0;
 constexpr double LargestSpeed_rad_s = 1000.0;
+constexpr double LargestLength_m = 1000.0;
+constexpr double LargestSpeed_m_s = 1000.0;
 constexpr double LargestFrequency_Hz = 200.0;
+
+using Quantity = MoveReference::Quantity;
 
 struct Key {
     MoveReferenceKey text;
@@ -26,10 +30,21 @@ struct Key {
     double max;
     bool isWhole;
     void (*set)(MoveReference&, double);
+    double perUnit = 1.0; ///< what is set for a value of one
+    Quantity quantity = Quantity::Unknown;
 };
 
-constexpr double Inf_deg = LargestAngle_rad * 180.0 / Pi;
-constexpr double Rate_deg_s = LargestSpeed_rad_s * 180.0 / Pi;
+void setAmplitude(MoveReference& reference, double amplitude) {
+    reference.amplitude = amplitude;
+}
+
+void setRate(MoveReference& reference, double rate) {
+    reference.rate = rate;
+}
+
+void setBase(MoveReference& reference, double base) {
+    reference.base = base;
+}
 
 void setPeriod(MoveReference& reference, double period_s) {
     reference.period_s = period_s;
@@ -38,28 +53,36 @@ void setPeriod(MoveReference& reference, double period_s) {
     }
 }
 
+constexpr double Degree_rad = Pi / 180.0;
+
+constexpr Key amplitudeKey(std::string_view key, std::string_view help, Quantity quantity, double perUnit) {
+    const double largest = (quantity == Quantity::Angle ? LargestAngle_rad : LargestLength_m) / perUnit;
+    return {{key, help}, -largest, largest, false, setAmplitude, perUnit, quantity};
+}
+
+constexpr Key speedKey(std::string_view key, std::string_view help, Quantity quantity, double perUnit,
+                       void (*set)(MoveReference&, double)) {
+    const double largest = (quantity == Quantity::Angle ? LargestSpeed_rad_s : LargestSpeed_m_s) / perUnit;
+    return {{key, help}, -largest, largest, false, set, perUnit, quantity};
+}
+
 const std::array Keys = {
-    Key{{"amplitude_deg",
-         "height of the step or of one stair, amplitude of sine and chirp, rms of a multisine"},
-        -Inf_deg,
-        Inf_deg,
-        false,
-        [](MoveReference& r, double v) { r.amplitude_rad = degreesToRadians(v); }},
-    Key{{"amplitude_rad", "the same in radians"},
-        -LargestAngle_rad,
-        LargestAngle_rad,
-        false,
-        [](MoveReference& r, double v) { r.amplitude_rad = v; }},
-    Key{{"rate_deg_s", "slope of a ramp"},
-        -Rate_deg_s,
-        Rate_deg_s,
-        false,
-        [](MoveReference& r, double v) { r.rate_rad_s = degreesToRadians(v); }},
-    Key{{"rate_rad_s", "the same in radians"},
-        -LargestSpeed_rad_s,
-        LargestSpeed_rad_s,
-        false,
-        [](MoveReference& r, double v) { r.rate_rad_s = v; }},
+    amplitudeKey("amplitude_deg",
+                 "height of the step or of one stair, amplitude of sine and chirp, rms of a multisine",
+                 Quantity::Angle, Degree_rad),
+    amplitudeKey("amplitude_rad", "the same in radians", Quantity::Angle, 1.0),
+    amplitudeKey("amplitude_mrad", "the same in milliradians", Quantity::Angle, 1e-3),
+    amplitudeKey("amplitude_urad", "the same in microradians", Quantity::Angle, 1e-6),
+    amplitudeKey("amplitude_m", "the same of an axis that moves along a line", Quantity::Length, 1.0),
+    amplitudeKey("amplitude_mm", "the same in millimetres", Quantity::Length, 1e-3),
+    amplitudeKey("amplitude_um", "the same in micrometres", Quantity::Length, 1e-6),
+    speedKey("rate_deg_s", "slope of a ramp", Quantity::Angle, Degree_rad, setRate),
+    speedKey("rate_rad_s", "the same in radians", Quantity::Angle, 1.0, setRate),
+    speedKey("rate_mrad_s", "the same in milliradians", Quantity::Angle, 1e-3, setRate),
+    speedKey("rate_urad_s", "the same in microradians", Quantity::Angle, 1e-6, setRate),
+    speedKey("rate_m_s", "the same of an axis that moves along a line", Quantity::Length, 1.0, setRate),
+    speedKey("rate_mm_s", "the same in millimetres", Quantity::Length, 1e-3, setRate),
+    speedKey("rate_um_s", "the same in micrometres", Quantity::Length, 1e-6, setRate),
     Key{{"frequency_hz", "of a sine; the first one of chirp and multisine"},
         0.0,
         LargestFrequency_Hz,
@@ -80,16 +103,13 @@ const std::array Keys = {
         1000.0,
         true,
         [](MoveReference& r, double v) { r.count = static_cast<int>(v); }},
-    Key{{"base_deg_s", "constant motion added"},
-        -Rate_deg_s,
-        Rate_deg_s,
-        false,
-        [](MoveReference& r, double v) { r.base_rad_s = degreesToRadians(v); }},
-    Key{{"base_rad_s", "the same in radians"},
-        -LargestSpeed_rad_s,
-        LargestSpeed_rad_s,
-        false,
-        [](MoveReference& r, double v) { r.base_rad_s = v; }},
+    speedKey("base_deg_s", "constant motion added", Quantity::Angle, Degree_rad, setBase),
+    speedKey("base_rad_s", "the same in radians", Quantity::Angle, 1.0, setBase),
+    speedKey("base_mrad_s", "the same in milliradians", Quantity::Angle, 1e-3, setBase),
+    speedKey("base_urad_s", "the same in microradians", Quantity::Angle, 1e-6, setBase),
+    speedKey("base_m_s", "the same of an axis that moves along a line", Quantity::Length, 1.0, setBase),
+    speedKey("base_mm_s", "the same in millimetres", Quantity::Length, 1e-3, setBase),
+    speedKey("base_um_s", "the same in micrometres", Quantity::Length, 1e-6, setBase),
     Key{{"seed", "phases of a multisine; 0: those of least peak"},
         0.0,
         4294967295.0,
@@ -173,7 +193,15 @@ Result<void> setMoveReference(MoveReference& reference, std::string_view name, d
             ErrorCode::OutOfRange, fmt::format("{} = {} is out of range", name, value),
             fmt::format("Allowed: {} to {}{}.", key->min, key->max, key->isWhole ? ", whole numbers" : ""));
     }
-    key->set(reference, value);
+    if (key->quantity != Quantity::Unknown) {
+        if (reference.quantity != Quantity::Unknown && reference.quantity != key->quantity) {
+            return failure(ErrorCode::InvalidInput,
+                           fmt::format("{} does not go with the other keys: a length beside an angle", name),
+                           "Give the whole reference in angles or in lengths.");
+        }
+        reference.quantity = key->quantity;
+    }
+    key->set(reference, value * key->perUnit);
     return {};
 }
 
@@ -209,13 +237,13 @@ Result<MoveReference> parseMoveReference(const std::string& text) {
 
 Result<void> checkMoveReference(const MoveReference& reference) {
     using Shape = MoveReference::Shape;
-    const bool hasAmplitude = reference.amplitude_rad != 0.0;
+    const bool hasAmplitude = reference.amplitude != 0.0;
     switch (reference.shape) {
     case Shape::Step:
     case Shape::Staircase:
         return need(hasAmplitude, reference.shape, "amplitude_deg");
     case Shape::Ramp:
-        return need(reference.rate_rad_s != 0.0, reference.shape, "rate_deg_s");
+        return need(reference.rate != 0.0, reference.shape, "rate_deg_s");
     case Shape::Sine:
         if (auto amplitude = need(hasAmplitude, reference.shape, "amplitude_deg"); !amplitude) {
             return amplitude;
@@ -234,37 +262,51 @@ Result<void> checkMoveReference(const MoveReference& reference) {
     return {};
 }
 
-double referenceExcursion_rad(const MoveReference& reference, double duration_s) {
-    using Shape = MoveReference::Shape;
-    double excursion_rad = std::fabs(reference.amplitude_rad);
-    if (reference.shape == Shape::Ramp) {
-        const double reached_rad = std::fabs(reference.rate_rad_s) * duration_s;
-        excursion_rad = reference.amplitude_rad == 0.0 ? reached_rad : std::min(excursion_rad, reached_rad);
-    } else if (reference.shape == Shape::Staircase) {
-        excursion_rad *=
-            std::min(1.0 + std::floor(duration_s / reference.period_s), static_cast<double>(reference.count));
-    } else if (reference.shape == Shape::Multisine) {
-        excursion_rad *= std::sqrt(2.0 * reference.count); // all lines at their peak together
+Result<void> checkQuantity(const MoveReference& reference, const devices::AxisSpec& axis) {
+    const bool isAngle = axis.positionUnit == "rad";
+    const Quantity wanted = isAngle ? Quantity::Angle : Quantity::Length;
+    if (reference.quantity == Quantity::Unknown || reference.quantity == wanted) {
+        return {};
     }
-    return excursion_rad + std::fabs(reference.base_rad_s) * duration_s;
+    return failure(ErrorCode::InvalidInput,
+                   isAngle
+                       ? fmt::format("axis {} turns, and the reference is a length", axis.id)
+                       : fmt::format("axis {} moves along a line, and the reference is an angle", axis.id),
+                   isAngle ? "Write it as an angle, e.g. amplitude_mrad=1 or amplitude_deg=1."
+                           : "Write it as a length, e.g. amplitude_um=100 or amplitude_mm=1.");
 }
 
-std::optional<double> referenceAt_rad(const MoveReference& reference, double time_s) {
+double referenceExcursion(const MoveReference& reference, double duration_s) {
     using Shape = MoveReference::Shape;
-    const double base_rad = reference.base_rad_s * time_s;
+    double excursion = std::fabs(reference.amplitude);
+    if (reference.shape == Shape::Ramp) {
+        const double reached = std::fabs(reference.rate) * duration_s;
+        excursion = reference.amplitude == 0.0 ? reached : std::min(excursion, reached);
+    } else if (reference.shape == Shape::Staircase) {
+        excursion *=
+            std::min(1.0 + std::floor(duration_s / reference.period_s), static_cast<double>(reference.count));
+    } else if (reference.shape == Shape::Multisine) {
+        excursion *= std::sqrt(2.0 * reference.count); // all lines at their peak together
+    }
+    return excursion + std::fabs(reference.base) * duration_s;
+}
+
+std::optional<double> referenceAt(const MoveReference& reference, double time_s) {
+    using Shape = MoveReference::Shape;
+    const double base = reference.base * time_s;
     switch (reference.shape) {
     case Shape::Step:
-        return reference.amplitude_rad + base_rad;
+        return reference.amplitude + base;
     case Shape::Ramp: {
-        const double end_rad = std::fabs(reference.amplitude_rad);
-        const double ramp_rad = reference.rate_rad_s * time_s;
-        return (end_rad > 0.0 ? std::clamp(ramp_rad, -end_rad, end_rad) : ramp_rad) + base_rad;
+        const double end = std::fabs(reference.amplitude);
+        const double ramp = reference.rate * time_s;
+        return (end > 0.0 ? std::clamp(ramp, -end, end) : ramp) + base;
     }
     case Shape::Sine:
-        return reference.amplitude_rad * std::sin(2.0 * Pi * reference.frequency_Hz * time_s) + base_rad;
+        return reference.amplitude * std::sin(2.0 * Pi * reference.frequency_Hz * time_s) + base;
     case Shape::Staircase: {
         const double steps = 1.0 + std::floor(time_s / reference.period_s + 1e-9);
-        return reference.amplitude_rad * std::min(steps, static_cast<double>(reference.count)) + base_rad;
+        return reference.amplitude * std::min(steps, static_cast<double>(reference.count)) + base;
     }
     case Shape::Chirp:
     case Shape::Multisine:
@@ -273,28 +315,29 @@ std::optional<double> referenceAt_rad(const MoveReference& reference, double tim
     return std::nullopt;
 }
 
-std::vector<ParameterValue> generatorParameters(const MoveReference& reference, double duration_s) {
+std::vector<ParameterValue> generatorParameters(const MoveReference& reference, double duration_s,
+                                                const std::string& generator) {
     using Shape = MoveReference::Shape;
     const bool isSwept = reference.shape == Shape::Chirp || reference.shape == Shape::Multisine;
     // A second more, so that the generator does not end while the last samples are on their way.
     const double generator_s = isSwept ? duration_s : duration_s + 1.0;
-    return {{"reference.shape", static_cast<double>(reference.shape)},
-            {"reference.amplitude", reference.amplitude_rad},
-            {"reference.rate", reference.rate_rad_s},
-            {"reference.frequency", reference.frequency_Hz},
-            {"reference.frequency_end", reference.frequencyEnd_Hz},
-            {"reference.period", reference.period_s},
-            {"reference.count", static_cast<double>(reference.count)},
-            {"reference.duration", generator_s},
-            {"reference.base", reference.base_rad_s},
-            {"reference.seed", static_cast<double>(reference.seed)}};
+    return {{generator + ".shape", static_cast<double>(reference.shape)},
+            {generator + ".amplitude", reference.amplitude},
+            {generator + ".rate", reference.rate},
+            {generator + ".frequency", reference.frequency_Hz},
+            {generator + ".frequency_end", reference.frequencyEnd_Hz},
+            {generator + ".period", reference.period_s},
+            {generator + ".count", static_cast<double>(reference.count)},
+            {generator + ".duration", generator_s},
+            {generator + ".base", reference.base},
+            {generator + ".seed", static_cast<double>(reference.seed)}};
 }
 
 std::optional<control::LoopReference> idealReference(const MoveReference& reference) {
     using Shape = MoveReference::Shape;
     control::LoopReference ideal{control::LoopReference::Shape::Step,
-                                 reference.amplitude_rad,
-                                 reference.rate_rad_s,
+                                 reference.amplitude,
+                                 reference.rate,
                                  reference.frequency_Hz,
                                  reference.period_s,
                                  reference.count};
@@ -314,7 +357,7 @@ std::optional<control::LoopReference> idealReference(const MoveReference& refere
     case Shape::Multisine:
         return std::nullopt;
     }
-    return reference.base_rad_s == 0.0 ? std::optional(ideal) : std::nullopt;
+    return reference.base == 0.0 ? std::optional(ideal) : std::nullopt;
 }
 
 } // namespace halbench::app

@@ -97,7 +97,7 @@ Result<std::vector<control::PlantPoint>> pointsOf(const FrequencyRun& run, const
 FrequencyBand bandOf(const FrequencyStage& stage) {
     const MoveReference& reference = stage.reference;
     return {reference.frequency_Hz, stage.to_Hz, static_cast<int>(stage.lines.size()),
-            reference.amplitude_rad};
+            reference.amplitude};
 }
 
 bool isCoherent(const control::PlantPoint& point, const FrequencyConfig& config) {

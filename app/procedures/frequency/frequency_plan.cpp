@@ -256,8 +256,8 @@ FrequencyStage stageOf(const std::vector<int>& lines, double period_s, double am
                        double turn_rad_s) {
     FrequencyStage stage;
     stage.lines = lines;
-    stage.reference.amplitude_rad = amplitude_rad;
-    stage.reference.base_rad_s = turn_rad_s;
+    stage.reference.amplitude = amplitude_rad;
+    stage.reference.base = turn_rad_s;
     stage.reference.frequency_Hz = lines.front() / period_s;
     stage.to_Hz = lines.back() / period_s;
     stage.reference.frequencyEnd_Hz = stage.to_Hz;

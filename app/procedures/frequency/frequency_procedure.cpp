@@ -63,7 +63,7 @@ private:
     MoveReference turning() const {
         MoveReference reference;
         reference.shape = MoveReference::Shape::Ramp;
-        reference.rate_rad_s = m_plan.turn_rad_s;
+        reference.rate = m_plan.turn_rad_s;
         return reference;
     }
 

@@ -40,44 +40,44 @@ void measureErrors(const MoveResponse& response, const MoveConfig& config, MoveF
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < response.time_s.size(); i += response.rowsPerReference) {
-        const double error_rad = response.reference_rad[i] - response.position_rad[i];
-        figures.peakError_rad = std::max(figures.peakError_rad, std::fabs(error_rad));
+        const double error = response.reference[i] - response.position[i];
+        figures.peakError = std::max(figures.peakError, std::fabs(error));
         if (response.time_s[i] < 1.0) {
-            figures.firstSecondError_rad = std::max(figures.firstSecondError_rad, std::fabs(error_rad));
+            figures.firstSecondError = std::max(figures.firstSecondError, std::fabs(error));
         }
         if (counts(config, response.time_s[i])) {
-            figures.maxError_rad = std::max(figures.maxError_rad, std::fabs(error_rad));
-            square += error_rad * error_rad;
-            sum += error_rad;
+            figures.maxError = std::max(figures.maxError, std::fabs(error));
+            square += error * error;
+            sum += error;
             ++count;
         }
     }
     if (count > 0) {
-        figures.rmsError_rad = std::sqrt(square / static_cast<double>(count));
-        figures.meanError_rad = sum / static_cast<double>(count);
+        figures.rmsError = std::sqrt(square / static_cast<double>(count));
+        figures.meanError = sum / static_cast<double>(count);
     }
-    figures.finalError_rad = response.reference_rad.back() - response.position_rad.back();
+    figures.finalError = response.reference.back() - response.position.back();
 }
 
 void measureTravel(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
-    std::optional<std::pair<double, double>> ends_rad;
+    std::optional<std::pair<double, double>> ends;
     for (std::size_t i = 0; i < response.time_s.size(); ++i) {
         if (evaluatedPart(config).holds(response.time_s[i])) {
-            const double position_rad = response.position_rad[i];
-            const auto [low_rad, high_rad] = ends_rad.value_or(std::pair(position_rad, position_rad));
-            ends_rad = {std::min(low_rad, position_rad), std::max(high_rad, position_rad)};
+            const double position = response.position[i];
+            const auto [low, high] = ends.value_or(std::pair(position, position));
+            ends = {std::min(low, position), std::max(high, position)};
         }
     }
-    figures.peakToPeak_rad = ends_rad ? ends_rad->second - ends_rad->first : 0.0;
+    figures.peakToPeak = ends ? ends->second - ends->first : 0.0;
 }
 
 void measureLock(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
-    if (!config.lockThreshold_rad) {
+    if (!config.lockThreshold) {
         return;
     }
     double locked_s = response.time_s.front();
     for (std::size_t i = 0; i < response.time_s.size(); i += response.rowsPerReference) {
-        if (std::fabs(response.reference_rad[i] - response.position_rad[i]) > *config.lockThreshold_rad) {
+        if (std::fabs(response.reference[i] - response.position[i]) > *config.lockThreshold) {
             const std::size_t next = i + response.rowsPerReference;
             locked_s = next < response.time_s.size() ? response.time_s[next] : 2.0 * response.time_s.back();
         }
@@ -104,8 +104,8 @@ void measureSine(const MoveResponse& response, const MoveConfig& config, MoveFig
         const double time_s = response.time_s[i];
         if (time_s >= from_s - 1e-9 && time_s < part.to_s - 1e-9) {
             const std::complex<double> carrier = std::polar(1.0, -2.0 * Pi * frequency_Hz * time_s);
-            in += carrier * response.reference_rad[i];
-            out += carrier * response.position_rad[i];
+            in += carrier * response.reference[i];
+            out += carrier * response.position[i];
         }
     }
     figures.gain_ratio = std::abs(out / in);
@@ -115,7 +115,7 @@ void measureSine(const MoveResponse& response, const MoveConfig& config, MoveFig
 Result<void> measureStepFigures(const MoveResponse& response, const MoveConfig& config,
                                 MoveFigures& figures) {
     const auto metrics =
-        control::measureStep(response.time_s, response.position_rad, 0.0, config.reference.amplitude_rad);
+        control::measureStep(response.time_s, response.position, 0.0, config.reference.amplitude);
     if (!metrics) {
         return failure(metrics.error());
     }
@@ -134,12 +134,12 @@ bool isFinite(const std::vector<double>& values) {
 
 Result<MoveFigures> measureMove(const MoveResponse& response, const MoveConfig& config) {
     const std::size_t rows = response.time_s.size();
-    if (rows < 2 || response.rowsPerReference == 0 || response.reference_rad.size() != rows ||
-        response.position_rad.size() != rows) {
+    if (rows < 2 || response.rowsPerReference == 0 || response.reference.size() != rows ||
+        response.position.size() != rows) {
         return failure(ErrorCode::InvalidInput, "the response has too few samples to be measured",
                        "Record longer or at a higher rate.");
     }
-    if (!isFinite(response.reference_rad) || !isFinite(response.position_rad)) {
+    if (!isFinite(response.reference) || !isFinite(response.position)) {
         return failure(ErrorCode::NotFinite, "the response holds a value that is not a number",
                        "Repeat the move.");
     }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace halbench::app {
 namespace {
@@ -14,7 +15,12 @@ namespace {
 /// Of the largest excursion: the board's sine comes from a table on small processors.
 constexpr double ShapeTolerance_ratio = 1e-3;
 constexpr double FloatResolution_ratio = 1e-6;
-constexpr double LeastTolerance_rad = 1e-4;
+
+/// Angles of a rotor read best in degrees.
+std::string readable(const devices::AxisSpec& axis, double position) {
+    return axis.turnsForever ? fmt::format("{:.3g} degrees", radiansToDegrees(position))
+                             : fmt::format("{:.3g} {}", position, axis.positionUnit);
+}
 
 void judgeRows(const MoveResponse& response, const MoveConfig& config, std::uint64_t lostRows,
                DataQuality& quality) {
@@ -28,7 +34,7 @@ void judgeRows(const MoveResponse& response, const MoveConfig& config, std::uint
 }
 
 struct Interval {
-    double low_rad, high_rad;
+    double low, high;
 };
 
 /// Of the commanded reference around a time: which sample it began with is known to a period of the loop, and
@@ -36,78 +42,84 @@ struct Interval {
 std::optional<Interval> commandedAround(const MoveReference& reference, double time_s, double uncertainty_s) {
     std::optional<Interval> interval;
     for (const double shift_s : {-uncertainty_s, 0.0, uncertainty_s}) {
-        const auto value_rad = referenceAt_rad(reference, std::max(0.0, time_s + shift_s));
-        if (!value_rad) {
+        const auto value = referenceAt(reference, std::max(0.0, time_s + shift_s));
+        if (!value) {
             return std::nullopt;
         }
-        const Interval before = interval.value_or(Interval{*value_rad, *value_rad});
-        interval = Interval{std::min(before.low_rad, *value_rad), std::max(before.high_rad, *value_rad)};
+        const Interval before = interval.value_or(Interval{*value, *value});
+        interval = Interval{std::min(before.low, *value), std::max(before.high, *value)};
     }
     return interval;
 }
 
 /// By how much the board's reference left the commanded one.
-double largestDeparture_rad(const MoveResponse& response, const MoveConfig& config, double uncertainty_s) {
-    double departure_rad = 0.0;
+double largestDeparture(const MoveResponse& response, const MoveConfig& config, double uncertainty_s) {
+    double departure = 0.0;
     for (std::size_t i = 0; i < response.time_s.size(); i += response.rowsPerReference) {
         const auto commanded = commandedAround(config.reference, response.time_s[i], uncertainty_s);
         if (!commanded) {
             return 0.0;
         }
-        const double value_rad = response.reference_rad[i];
-        departure_rad =
-            std::max({departure_rad, commanded->low_rad - value_rad, value_rad - commanded->high_rad});
+        const double value = response.reference[i];
+        departure = std::max({departure, commanded->low - value, value - commanded->high});
     }
-    return departure_rad;
+    return departure;
 }
 
 void judgeReference(const MoveResponse& response, const MoveConfig& config, std::uint64_t lostRows,
-                    double origin_rad, DataQuality& quality) {
+                    double origin, const devices::AxisSpec& axis, DataQuality& quality) {
     const double period_s = static_cast<double>(response.rowsPerReference) / config.rate_Hz;
     const double uncertainty_s = 2.0 * period_s + static_cast<double>(lostRows) / config.rate_Hz;
-    const double departure_rad = largestDeparture_rad(response, config, uncertainty_s);
-    const double excursion_rad = referenceExcursion_rad(config.reference, config.duration_s);
-    const double allowed_rad = ShapeTolerance_ratio * excursion_rad +
-                               FloatResolution_ratio * std::fabs(origin_rad) + LeastTolerance_rad;
-    if (departure_rad > allowed_rad) {
+    const double departure = largestDeparture(response, config, uncertainty_s);
+    const double excursion = referenceExcursion(config.reference, config.duration_s);
+    const double allowed = ShapeTolerance_ratio * excursion + FloatResolution_ratio * std::fabs(origin) +
+                           axis.referenceTolerance;
+    if (departure > allowed) {
         quality.verdict = Verdict::Refused;
         quality.findings.push_back(
             {"reference_differs",
-             fmt::format("the board followed another reference than commanded, {:.3g} degrees away",
-                         radiansToDegrees(departure_rad)),
-             "See where the rotor stands and that no other program uses the board, then move again."});
+             fmt::format("the board followed another reference than commanded, {} away",
+                         readable(axis, departure)),
+             axis.turnsForever
+                 ? "See where the rotor stands and that no other program uses the board, then move again."
+                 : "See that no other program uses the board, then move again."});
     }
 }
 
-/// Friction holds the published gains up to 8 degrees away; half of the way and 20 degrees are no friction.
-void judgeEnd(const MoveResponse& response, const MoveConfig& config, DataQuality& quality) {
+/// Friction holds the published gains of a motor up to 8 degrees away; half of the way and 20 degrees are no
+/// friction.
+void judgeEnd(const MoveResponse& response, const MoveConfig& config, const devices::AxisSpec& axis,
+              DataQuality& quality) {
     using Shape = MoveReference::Shape;
-    constexpr double LeastMiss_rad = 20.0 * Pi / 180.0;
     const bool endsAtRest =
         config.reference.shape == Shape::Step || config.reference.shape == Shape::Staircase;
-    if (!endsAtRest || config.reference.base_rad_s != 0.0) {
+    if (!endsAtRest || config.reference.base != 0.0) {
         return;
     }
-    const double end_rad = *referenceAt_rad(config.reference, config.duration_s);
-    const double miss_rad = std::fabs(response.position_rad.back() - end_rad);
-    if (miss_rad > std::max(0.5 * std::fabs(end_rad), LeastMiss_rad)) {
+    const double end = *referenceAt(config.reference, config.duration_s);
+    const double miss = std::fabs(response.position.back() - end);
+    if (miss > std::max(0.5 * std::fabs(end), axis.endTolerance)) {
         quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
         quality.findings.push_back(
             {"ended_elsewhere",
-             fmt::format("the rotor ended at {:.1f} instead of {:.1f} degrees",
-                         radiansToDegrees(response.position_rad.back()), radiansToDegrees(end_rad)),
-             "Move for longer; check the gains and that nothing blocks the rotor."});
+             axis.turnsForever
+                 ? fmt::format("the rotor ended at {:.1f} instead of {:.1f} degrees",
+                               radiansToDegrees(response.position.back()), radiansToDegrees(end))
+                 : fmt::format("axis {} ended at {:.3g} instead of {:.3g} {}", axis.id,
+                               response.position.back(), end, axis.positionUnit),
+             axis.turnsForever ? "Move for longer; check the gains and that nothing blocks the rotor."
+                               : "Move for longer; check the gains and that nothing is in the way."});
     }
 }
 
 } // namespace
 
 DataQuality judgeMotion(const MoveResponse& response, const MoveConfig& config, std::uint64_t lostRows,
-                        double origin_rad) {
+                        double origin, const devices::AxisSpec& axis) {
     DataQuality quality;
     judgeRows(response, config, lostRows, quality);
-    judgeReference(response, config, lostRows, origin_rad, quality);
-    judgeEnd(response, config, quality);
+    judgeReference(response, config, lostRows, origin, axis, quality);
+    judgeEnd(response, config, axis, quality);
     return quality;
 }
 

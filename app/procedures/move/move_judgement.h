@@ -8,8 +8,8 @@ namespace halbench::app {
 
 /// What speaks against a run. Doubtful: rows are missing, or the rotor ended far from where the reference
 /// did. Refused: the reference that the board followed is not the one it was given (another start, another
-/// program). `origin_rad`: where the board's position stood when it began; a float there is that coarse.
+/// program). `origin`: where the board's position stood when it began; a float there is that coarse.
 DataQuality judgeMotion(const MoveResponse& response, const MoveConfig& config, std::uint64_t lostRows,
-                        double origin_rad);
+                        double origin, const devices::AxisSpec& axis = {});
 
 } // namespace halbench::app

@@ -15,35 +15,44 @@ struct MoveConfig {
     /// each step instead.
     std::optional<double> evaluateFrom_s;
     std::optional<double> evaluateTo_s;
-    /// Error below which the rotor counts as locked to its reference; without one there is no lock time.
-    std::optional<double> lockThreshold_rad;
+    /// Error below which the axis counts as locked to its reference; without one there is no lock time.
+    std::optional<double> lockThreshold;
     /// Overshoot needs fine samples. A board that cannot send so many sends one each position loop.
     double rate_Hz = 1000.0;
-    double speedLimit_rad_s = 40.0;
+    double speedLimit_rad_s = 40.0; ///< of an axis that turns forever; others keep the board's window
     double pauseTemperature_degC = 65.0;
     double refuseTemperature_degC = 70.0;
+    std::string axis = {}; ///< which one moves; empty: the only one
 };
 
-/// Figures of one response against its reference; error = reference - position, both from the start.
+/// Figures of one response against its reference; error = reference - position, both from the start, in the
+/// position unit of the axis.
 /// Step figures as in control/analysis/step_metrics.h, on samples 1 ms apart.
 struct MoveFigures {
     std::optional<double> riseTime_s;
     std::optional<double> overshoot_percent;
     std::optional<double> peakTime_s;
     std::optional<double> settlingTime_s;
-    double finalError_rad = 0.0;
-    double maxError_rad = 0.0;         ///< in the evaluated part
-    double rmsError_rad = 0.0;         ///< in the evaluated part
-    double meanError_rad = 0.0;        ///< in the evaluated part
-    double peakToPeak_rad = 0.0;       ///< of the position in the evaluated part: of a step, a limit cycle
-    double peakError_rad = 0.0;        ///< of the whole run
-    double firstSecondError_rad = 0.0; ///< largest in the first second
+    double finalError = 0.0;
+    double maxError = 0.0;         ///< in the evaluated part
+    double rmsError = 0.0;         ///< in the evaluated part
+    double meanError = 0.0;        ///< in the evaluated part
+    double peakToPeak = 0.0;       ///< of the position in the evaluated part: of a step, a limit cycle
+    double peakError = 0.0;        ///< of the whole run
+    double firstSecondError = 0.0; ///< largest in the first second
     std::optional<double>
         gain_ratio; ///< sine: fundamental of position over reference, whole periods of the evaluated part
     std::optional<double> phase_deg;
-    /// From here to the end the error stays below MoveConfig::lockThreshold_rad; absent when it does not. Of
+    /// From here to the end the error stays below MoveConfig::lockThreshold; absent when it does not. Of
     /// a sine, whose error has two peaks a period, at least half a period must follow.
     std::optional<double> lockTime_s;
+};
+
+/// An axis that was to stay where it was: how far it went, in its position unit.
+struct CrossAxisPeak {
+    devices::AxisSpec axis;
+    double measured = 0.0;
+    std::optional<double> truth;
 };
 
 struct MoveResult {
@@ -52,8 +61,11 @@ struct MoveResult {
     Recording recording;              ///< from the start of the reference; time from 0
     double peakCurrent_A = 0.0;
     double highestTemperature_degC = 0.0;
-    std::optional<double> lockThreshold_rad; ///< that both lock times are meant with
+    std::optional<double> lockThreshold; ///< that both lock times are meant with
     DataQuality quality;
+    devices::AxisSpec axis = {};            ///< that moved
+    double peakEffort = 0.0;                ///< of that axis, in its effort unit
+    std::vector<CrossAxisPeak> others = {}; ///< empty on a device with one axis
 
     /// Truth where known, else measured: what checks and reports mean.
     const MoveFigures& figures() const { return truth ? *truth : measured; }
@@ -83,7 +95,10 @@ MoveOutlook moveOutlook(const MoveConfig& config, const devices::Catalogue& cata
 /// Arms in mode position, lets the board follow the reference, disarms, measures. Works inside the excursion,
 /// speed and temperature windows of the board; parameters are restored on every way out. Walks Prepare,
 /// Excite, Record, Judge, Done or Restored. Errors: of the configuration, of the device, SafetyStop (a limit
-/// of the board), Refused (too hot to start), of the abort.
+/// of the board), Refused (too hot to start, no zero of the axes), of the abort. On a device with several
+/// axes one moves and the others hold their position (resources/help/command-line.md, "Axes"); a board that
+/// knows no zero yet is homed first. Errors there: Usage (which axis is not said), UnknownName, OutOfRange
+/// (beyond the board's position window).
 Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,
                            const ProcedureObserver& observer);
 
@@ -93,11 +108,12 @@ Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,
 Result<MoveResult> performMove(devices::Device& device, const MoveConfig& config,
                                const ProcedureObserver& observer);
 
-/// Reference and response of a run, both counted from where the rotor was when it began; 1 ms apart.
+/// Reference and response of a run in the unit of the axis, both counted from where it was when the run
+/// began; 1 ms apart.
 struct MoveResponse {
     std::vector<double> time_s;
-    std::vector<double> reference_rad;
-    std::vector<double> position_rad;
+    std::vector<double> reference;
+    std::vector<double> position;
     /// The board evaluates its reference once in this many rows and holds it in between; errors and the
     /// sine's response count on those rows only, or a ramp would seem to be missed by a whole period's
     /// travel.

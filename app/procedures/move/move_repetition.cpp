@@ -1,14 +1,18 @@
 #include "app/procedures/move/move_repetition.h"
 
+#include "app/procedures/base/axis_choice.h"
+
 #include <algorithm>
 
 namespace halbench::app {
 
 namespace {
 
-double firstPosition_rad(const Recording& recording) {
-    const std::vector<double> truth = recording.column("truth.position");
-    return truth.empty() ? recording.column("position").front() : truth.front();
+double firstPosition(const devices::Catalogue& catalogue, const MoveResult& result) {
+    const Recording& recording = result.recording;
+    const std::vector<double> truth = recording.column(signalOf(catalogue, result.axis.roles.truePosition));
+    return truth.empty() ? recording.column(signalOf(catalogue, result.axis.roles.position)).front()
+                         : truth.front();
 }
 
 } // namespace
@@ -35,9 +39,9 @@ Result<RepeatedMove> runRepeatedMove(devices::Device& device, const MoveConfig& 
         quality.verdict = std::max(quality.verdict, result->quality.verdict);
         quality.findings.insert(quality.findings.end(), result->quality.findings.begin(),
                                 result->quality.findings.end());
-        all.repetition.start_rad.push_back(firstPosition_rad(result->recording));
-        all.repetition.maxError_rad.push_back(result->figures().maxError_rad);
-        all.repetition.peakToPeak_rad.push_back(result->figures().peakToPeak_rad);
+        all.repetition.start_rad.push_back(firstPosition(device.catalogue(), *result));
+        all.repetition.maxError_rad.push_back(result->figures().maxError);
+        all.repetition.peakToPeak_rad.push_back(result->figures().peakToPeak);
         all.last = *std::move(result);
     }
     all.last.quality = std::move(quality);

@@ -27,9 +27,9 @@ constexpr double OnTheWay_s = 0.3; // rows that are recorded but not here yet
 MoveReference weaving(const RelayPlan& plan) {
     MoveReference reference;
     reference.shape = MoveReference::Shape::Sine;
-    reference.base_rad_s = plan.turn_rad_s;
+    reference.base = plan.turn_rad_s;
     reference.frequency_Hz = plan.weave_Hz;
-    reference.amplitude_rad = plan.weave_ratio * plan.turn_rad_s / (2.0 * Pi * plan.weave_Hz);
+    reference.amplitude = plan.weave_ratio * plan.turn_rad_s / (2.0 * Pi * plan.weave_Hz);
     return reference;
 }
 

@@ -168,13 +168,13 @@ double ReferenceForm::valueOf(Field field) const {
 MoveReference ReferenceForm::reference() const {
     MoveReference reference;
     reference.shape = static_cast<MoveReference::Shape>(shape());
-    reference.amplitude_rad = valueOf(Field::Amplitude);
-    reference.rate_rad_s = valueOf(Field::Rate);
+    reference.amplitude = valueOf(Field::Amplitude);
+    reference.rate = valueOf(Field::Rate);
     reference.frequency_Hz = valueOf(Field::Frequency);
     reference.frequencyEnd_Hz = valueOf(Field::FrequencyEnd);
     reference.period_s = std::max(valueOf(Field::Period), 0.001);
     reference.count = std::max(static_cast<int>(valueOf(Field::Count)), 1);
-    reference.base_rad_s = valueOf(Field::Base);
+    reference.base = valueOf(Field::Base);
     reference.seed = static_cast<std::uint32_t>(valueOf(Field::Seed));
     return reference;
 }
@@ -261,7 +261,7 @@ double ReferenceForm::peak() const {
     const double time_s = shape() == static_cast<int>(MoveReference::Shape::Staircase)
                               ? wanted.period_s * wanted.count
                               : valueOf(Field::Duration);
-    return referenceExcursion_rad(wanted, time_s) + (isPosition() ? 0.0 : std::fabs(base));
+    return referenceExcursion(wanted, time_s) + (isPosition() ? 0.0 : std::fabs(base));
 }
 
 } // namespace halbench::app

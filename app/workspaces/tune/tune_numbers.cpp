@@ -309,7 +309,7 @@ QString liveStepWords(const MoveOutlook& outlook, const DisplayUnits& units) {
 }
 
 QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units) {
-    const double rest_rad = std::abs(measured.finalError_rad);
+    const double rest_rad = std::abs(measured.finalError);
     const double excess_rad = rest_rad - band.allowed_rad;
     QStringList parts = {
         excess_rad <= 0.0

@@ -164,7 +164,7 @@ TEST(MoveSection, showsAnglesInDegreesFromTheStart) {
         {{"reference", "rad"}, {"position", "rad"}, {"truth.position", "rad"}, {"current_command", "A"}}, 20,
         1e-3);
     result.measured.overshoot_percent = 7.5;
-    result.measured.finalError_rad = 0.01;
+    result.measured.finalError = 0.01;
     models::IdealTrace predicted;
     predicted.time_s = {0.0, 0.019};
     predicted.angle_rad = {0.0, 1.0};
@@ -223,7 +223,7 @@ TEST(MotorSection, showsEveryFigureInWordsWithItsUnitAndWhatIsDoubtful) {
 
 TEST(MoveSection, listsTheRunsOfARepeatedMoveAndSaysWhatLockedMeans) {
     MoveResult result;
-    result.lockThreshold_rad = 20.0 * M_PI / 180.0;
+    result.lockThreshold = 20.0 * M_PI / 180.0;
     result.measured.lockTime_s = 0.73;
     MoveRepetition repetition;
     repetition.config = {2, 0.28 * M_PI / 180.0};

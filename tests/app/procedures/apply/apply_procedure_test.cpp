@@ -23,7 +23,7 @@ ApplyConfig recommendedWith(devices::Device& device, const MotorEstimate& estima
     config.values =
         positionLawValues(device.catalogue(), models::recommendedLaw(models::RotorConfig{}, 1.43e-2));
     config.verification.emplace();
-    config.verification->reference.amplitude_rad = degreesToRadians(100);
+    config.verification->reference.amplitude = degreesToRadians(100);
     config.verification->motor = estimate;
     return config;
 }
@@ -81,7 +81,7 @@ TEST(Apply, saysHowFarTheMoveWasFromItsPrediction) {
     // 1.15 K_f/phi less the 0.9 K_f/phi of the assist, over 40 A/rad: 0.25 1.434/40 rad.
     EXPECT_NEAR(band.friction_rad, 0.25 * 2.05e-2 / 1.43e-2 / 40.0, 1e-4);
     EXPECT_NEAR(band.allowed_rad,
-                0.02 + std::max(band.friction_rad, std::abs(result->predicted->finalError_rad)), 1e-12);
+                0.02 + std::max(band.friction_rad, std::abs(result->predicted->finalError)), 1e-12);
     EXPECT_NEAR(*band.allowedOvershoot_percent, *result->predicted->overshoot_percent + 8.0, 1e-12);
     const std::vector<double> position = result->verification->recording.column("position");
     double largest = 0.0;

@@ -31,7 +31,7 @@ TEST(VerifyMove, judgesTheGainsThatRun) {
 TEST(VerifyMove, isTheMoveThatIsAnnounced) {
     const ApplyVerification verification = stepVerification(uncertainMotor(0.02));
     EXPECT_EQ(moveOf(verification).duration_s, verification.duration_s);
-    EXPECT_EQ(moveOf(verification).reference.amplitude_rad, 0.5);
+    EXPECT_EQ(moveOf(verification).reference.amplitude, 0.5);
 }
 
 } // namespace

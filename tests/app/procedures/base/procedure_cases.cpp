@@ -41,7 +41,7 @@ Result<void> captureSpeed(devices::Device& device, const ProcedureObserver& obse
 
 Result<void> moveOneStep(devices::Device& device, const ProcedureObserver& observer) {
     MoveConfig config;
-    config.reference.amplitude_rad = 1.7;
+    config.reference.amplitude = 1.7;
     config.duration_s = 1.0;
     return withoutValue(runMove(device, config, observer));
 }
@@ -52,7 +52,7 @@ Result<void> applyVerified(devices::Device& device, const ProcedureObserver& obs
     ApplyConfig config;
     config.values = {{"gain.kp", NewGain_A_per_rad}, {"gain.kd", 0.2}};
     config.verification.emplace();
-    config.verification->reference.amplitude_rad = 1.7;
+    config.verification->reference.amplitude = 1.7;
     config.verification->duration_s = 1.5;
     config.verification->motor = publishedMotor();
     return withoutValue(runApply(device, config, observer));

@@ -19,11 +19,11 @@ control::SampledPositionLaw recommended() {
 }
 
 double max_deg(const MoveResult& result) {
-    return radiansToDegrees(result.figures().maxError_rad);
+    return radiansToDegrees(result.figures().maxError);
 }
 
 double final_deg(const MoveResult& result) {
-    return radiansToDegrees(result.figures().finalError_rad);
+    return radiansToDegrees(result.figures().finalError);
 }
 
 struct StepCase {
@@ -77,20 +77,20 @@ TEST(PublishedPreset, rampLagsAsDerived) {
     MoveConfig config = move("ramp,rate_deg_s=500", 6);
     config.evaluateFrom_s = 4.0;
     const MoveResult result = moved(*device, config);
-    EXPECT_NEAR(radiansToDegrees(result.truth->peakError_rad), 54.5, 0.3);
-    EXPECT_NEAR(radiansToDegrees(result.truth->meanError_rad), 12.0, 0.3);
+    EXPECT_NEAR(radiansToDegrees(result.truth->peakError), 54.5, 0.3);
+    EXPECT_NEAR(radiansToDegrees(result.truth->meanError), 12.0, 0.3);
 }
 
 TEST(PublishedPreset, sinesErrAsDerived) {
     const auto device = openMotor(FullChain);
     const MoveResult small = moved(*device, move("sine,amplitude_deg=360,period_s=5", 10));
-    EXPECT_NEAR(radiansToDegrees(small.truth->firstSecondError_rad), 46.6, 0.5);
+    EXPECT_NEAR(radiansToDegrees(small.truth->firstSecondError), 46.6, 0.5);
     EXPECT_NEAR(max_deg(small), 19.0, 0.5);
-    EXPECT_NEAR(radiansToDegrees(small.truth->rmsError_rad), 11.1, 0.3);
+    EXPECT_NEAR(radiansToDegrees(small.truth->rmsError), 11.1, 0.3);
     const MoveResult large = moved(*device, move("sine,amplitude_deg=500,period_s=5", 10));
-    EXPECT_NEAR(radiansToDegrees(large.truth->firstSecondError_rad), 76.2, 0.5);
+    EXPECT_NEAR(radiansToDegrees(large.truth->firstSecondError), 76.2, 0.5);
     EXPECT_NEAR(max_deg(large), 21.5, 0.5);
-    EXPECT_NEAR(radiansToDegrees(large.truth->rmsError_rad), 12.4, 0.3);
+    EXPECT_NEAR(radiansToDegrees(large.truth->rmsError), 12.4, 0.3);
 }
 
 TEST(PublishedPreset, oneHertzResponseAsDerived) {
@@ -187,7 +187,7 @@ TEST_P(RecommendedPreset, tracksSines) {
     for (const char* sine : {"sine,amplitude_deg=360,period_s=5", "sine,amplitude_deg=500,period_s=5"}) {
         const MoveResult result = moved(*device, move(sine, 10));
         EXPECT_LT(max_deg(result), 0.64) << sine;
-        EXPECT_NEAR(radiansToDegrees(result.truth->rmsError_rad), 0.16, 0.04) << sine;
+        EXPECT_NEAR(radiansToDegrees(result.truth->rmsError), 0.16, 0.04) << sine;
     }
 }
 

@@ -16,9 +16,9 @@ MoveResponse perfectResponse(const MoveConfig& config, Bend bend) {
     for (int i = 0; i <= std::lround(config.duration_s * 1000.0); ++i) {
         const double sampled_s = 0.01 * (i / 10); // held for a period of the loop
         response.time_s.push_back(i * 1e-3);
-        response.reference_rad.push_back(
-            bend(sampled_s, referenceAt_rad(config.reference, sampled_s).value_or(0.0)));
-        response.position_rad.push_back(response.reference_rad.back());
+        response.reference.push_back(
+            bend(sampled_s, referenceAt(config.reference, sampled_s).value_or(0.0)));
+        response.position.push_back(response.reference.back());
     }
     return response;
 }
@@ -53,8 +53,8 @@ TEST(MoveJudgement, refusesAReferenceThatBeganTwice) {
         const MoveConfig config = move(reference, 2.0);
         const auto twice = [&config](double time_s, double value_rad) {
             return time_s < 0.5 ? value_rad
-                                : *referenceAt_rad(config.reference, 0.5) +
-                                      *referenceAt_rad(config.reference, time_s - 0.5);
+                                : *referenceAt(config.reference, 0.5) +
+                                      *referenceAt(config.reference, time_s - 0.5);
         };
         // The endless ramp goes on as before: nothing differs, and nothing went wrong.
         const bool goesOn = std::string(reference) == "ramp,rate_deg_s=720";
@@ -68,10 +68,10 @@ TEST(MoveJudgement, refusesAReferenceThatBeganTwice) {
 TEST(MoveJudgement, doubtsARotorThatEndedFarFromItsReference) {
     const MoveConfig config = move("step,amplitude_deg=60", 1.0);
     MoveResponse response = perfectResponse(config, [](double, double value_rad) { return value_rad; });
-    response.position_rad.back() = degreesToRadians(35.0);
+    response.position.back() = degreesToRadians(35.0);
     EXPECT_EQ(judgeMotion(response, config, 0, 0.0).verdict, Verdict::Good) << "friction may be strong";
     for (const double end_deg : {0.0, 29.0, 91.0, 120.0}) {
-        response.position_rad.back() = degreesToRadians(end_deg);
+        response.position.back() = degreesToRadians(end_deg);
         const DataQuality quality = judgeMotion(response, config, 0, 0.0);
         EXPECT_EQ(quality.verdict, Verdict::Doubtful) << end_deg;
         EXPECT_EQ(codesOf(quality), "ended_elsewhere ");
@@ -85,7 +85,7 @@ TEST(MoveJudgement, allowsForAFloatFarFromZeroAndForLostRows) {
     EXPECT_EQ(judgeMotion(perfectResponse(config, coarse), config, 0, 1.0).verdict, Verdict::Refused);
     const MoveConfig stairs = move("staircase,amplitude_deg=30,period_s=0.3,count=4", 1.0);
     const auto late = [&stairs](double time_s, double) {
-        return *referenceAt_rad(stairs.reference, std::max(0.0, time_s - 0.05));
+        return *referenceAt(stairs.reference, std::max(0.0, time_s - 0.05));
     };
     EXPECT_EQ(codesOf(judgeMotion(perfectResponse(stairs, late), stairs, 50, 0.0)), "rows_lost ");
     EXPECT_EQ(codesOf(judgeMotion(perfectResponse(stairs, late), stairs, 0, 0.0)), "reference_differs ");
@@ -103,7 +103,7 @@ TEST(MoveJudgement, aMoveOnALineThatLosesOneMessageInFiftyEndsWhereItShould) {
         ASSERT_TRUE(result) << seed << ": " << result.error().message;
         EXPECT_EQ(codesOf(result->quality), "rows_lost ") << seed;
         // friction holds these gains up to 8 degrees away; a second start would end 60 degrees away
-        EXPECT_LT(std::fabs(radiansToDegrees(result->figures().finalError_rad)), 8.0) << seed;
+        EXPECT_LT(std::fabs(radiansToDegrees(result->figures().finalError)), 8.0) << seed;
         repeated += static_cast<int>(device->statistics().commandsRepeated);
         motor.repair();
     }

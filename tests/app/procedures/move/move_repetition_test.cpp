@@ -28,7 +28,7 @@ TEST(MoveRepetition, startsEachRunWhereTheOneBeforeCameToRest) {
         EXPECT_NEAR(radiansToDegrees(start_rad[run] - start_rad[run - 1]), 100.0, 8.3);
     }
     EXPECT_EQ(repeated->repetition.settled_ratio(), 1.0);
-    EXPECT_EQ(repeated->repetition.maxError_rad.back(), repeated->last.figures().maxError_rad);
+    EXPECT_EQ(repeated->repetition.maxError_rad.back(), repeated->last.figures().maxError);
     EXPECT_FALSE(device->state().isArmed);
 }
 
@@ -43,8 +43,8 @@ MoveResponse responseWithError(double error_rad, double until_s, double again_s)
     for (int i = 0; i <= 10000; ++i) {
         const double time_s = 1e-3 * i;
         response.time_s.push_back(time_s);
-        response.reference_rad.push_back(time_s < until_s || time_s >= again_s ? error_rad : 0.0);
-        response.position_rad.push_back(0.0);
+        response.reference.push_back(time_s < until_s || time_s >= again_s ? error_rad : 0.0);
+        response.position.push_back(0.0);
     }
     return response;
 }
@@ -52,7 +52,7 @@ MoveResponse responseWithError(double error_rad, double until_s, double again_s)
 TEST(LockTime, isWhereTheErrorStaysBelowTheThreshold) {
     MoveConfig config = move("ramp,rate_deg_s=500", 10);
     EXPECT_FALSE(measureMove(responseWithError(0.2, 2.0, 99), config)->lockTime_s.has_value());
-    config.lockThreshold_rad = 0.1;
+    config.lockThreshold = 0.1;
     // One row in ten counts, so the first good one after 1.99 s is that at 2 s.
     EXPECT_NEAR(measureMove(responseWithError(0.2, 2.0, 99), config)->lockTime_s.value_or(-1), 2.0, 1e-9);
     EXPECT_EQ(measureMove(responseWithError(0.05, 2.0, 99), config)->lockTime_s, 0.0); // never above
@@ -60,7 +60,7 @@ TEST(LockTime, isWhereTheErrorStaysBelowTheThreshold) {
 
 TEST(LockTime, isAbsentWhenTheErrorComesBackOrMight) {
     MoveConfig config = move("ramp,rate_deg_s=500", 10);
-    config.lockThreshold_rad = 0.1;
+    config.lockThreshold = 0.1;
     EXPECT_FALSE(measureMove(responseWithError(0.2, 2.0, 9.5), config)->lockTime_s.has_value());
     config.reference = move("sine,amplitude_deg=360,period_s=5", 10).reference;
     EXPECT_TRUE(measureMove(responseWithError(0.2, 7.4, 99), config)->lockTime_s.has_value());

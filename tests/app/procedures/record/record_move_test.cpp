@@ -280,12 +280,12 @@ TEST(MoveReference, refusesWhatIsNoReference) {
 }
 
 TEST(MoveReference, asksForAsMuchRoomAsItNeeds) {
-    EXPECT_NEAR(referenceExcursion_rad(*parseMoveReference("ramp,rate_rad_s=2"), 3.0), 6.0, 1e-12);
-    EXPECT_NEAR(referenceExcursion_rad(*parseMoveReference("ramp,rate_rad_s=2,amplitude_rad=1"), 3.0), 1.0,
+    EXPECT_NEAR(referenceExcursion(*parseMoveReference("ramp,rate_rad_s=2"), 3.0), 6.0, 1e-12);
+    EXPECT_NEAR(referenceExcursion(*parseMoveReference("ramp,rate_rad_s=2,amplitude_rad=1"), 3.0), 1.0,
                 1e-12);
-    EXPECT_NEAR(referenceExcursion_rad(*parseMoveReference("staircase,amplitude_rad=0.5,count=4"), 9.0), 2.0,
+    EXPECT_NEAR(referenceExcursion(*parseMoveReference("staircase,amplitude_rad=0.5,count=4"), 9.0), 2.0,
                 1e-12);
-    EXPECT_NEAR(referenceExcursion_rad(*parseMoveReference("step,amplitude_rad=-3,base_rad_s=1"), 2.0), 5.0,
+    EXPECT_NEAR(referenceExcursion(*parseMoveReference("step,amplitude_rad=-3,base_rad_s=1"), 2.0), 5.0,
                 1e-12);
 }
 
@@ -295,8 +295,8 @@ MoveResponse delayedSine(double gain, double delay_rad) {
     for (int i = 0; i <= 10000; ++i) {
         const double phase_rad = 2.0 * Pi * 0.5 * i * 1e-3;
         response.time_s.push_back(i * 1e-3);
-        response.reference_rad.push_back(std::sin(phase_rad));
-        response.position_rad.push_back(gain * std::sin(phase_rad - delay_rad));
+        response.reference.push_back(std::sin(phase_rad));
+        response.position.push_back(gain * std::sin(phase_rad - delay_rad));
     }
     return response;
 }
@@ -304,7 +304,7 @@ MoveResponse delayedSine(double gain, double delay_rad) {
 TEST(MoveFigures, findGainAndPhaseOfASine) {
     MoveConfig config;
     config.reference.shape = MoveReference::Shape::Sine;
-    config.reference.amplitude_rad = 1.0;
+    config.reference.amplitude = 1.0;
     config.reference.frequency_Hz = 0.5;
     config.duration_s = 10.0;
     const auto figures = measureMove(delayedSine(1.2, 0.3), config);
@@ -313,14 +313,14 @@ TEST(MoveFigures, findGainAndPhaseOfASine) {
     EXPECT_NEAR(figures->phase_deg.value_or(0), -radiansToDegrees(0.3), 1e-6);
     // |1 - 1.2 e^(-0.3 i)| is the amplitude of the error, its rms is that over sqrt 2
     const double amplitude = std::hypot(1.0 - 1.2 * std::cos(0.3), 1.2 * std::sin(0.3));
-    EXPECT_NEAR(figures->maxError_rad, amplitude, 1e-5);
-    EXPECT_NEAR(figures->rmsError_rad, amplitude / std::sqrt(2.0), 1e-4); // both ends of the part count
+    EXPECT_NEAR(figures->maxError, amplitude, 1e-5);
+    EXPECT_NEAR(figures->rmsError, amplitude / std::sqrt(2.0), 1e-4); // both ends of the part count
 }
 
 TEST(MoveFigures, countOnlyTheSettledPartOfAStaircase) {
     MoveConfig config;
     config.reference.shape = MoveReference::Shape::Staircase;
-    config.reference.amplitude_rad = 1.0;
+    config.reference.amplitude = 1.0;
     config.reference.count = 2;
     config.duration_s = 2.0;
     MoveResponse response;
@@ -328,13 +328,13 @@ TEST(MoveFigures, countOnlyTheSettledPartOfAStaircase) {
     for (int i = 0; i < 2000; ++i) {
         const double late = i % 1000 < 500 ? 0.5 : 0.01; // large while it moves
         response.time_s.push_back(i * 1e-3);
-        response.reference_rad.push_back(i < 1000 ? 1.0 : 2.0);
-        response.position_rad.push_back(response.reference_rad.back() - late);
+        response.reference.push_back(i < 1000 ? 1.0 : 2.0);
+        response.position.push_back(response.reference.back() - late);
     }
     const auto figures = measureMove(response, config);
     ASSERT_TRUE(figures);
-    EXPECT_NEAR(figures->maxError_rad, 0.01, 1e-12);
-    EXPECT_NEAR(figures->peakError_rad, 0.5, 1e-12);
+    EXPECT_NEAR(figures->maxError, 0.01, 1e-12);
+    EXPECT_NEAR(figures->peakError, 0.5, 1e-12);
 }
 
 TEST(MoveFigures, refuseAResponseThatIsNotOne) {
