@@ -103,6 +103,7 @@ void addMovingCommands(CLI::App& app, CommandOptions& options) {
     move->add_option("--reference", options.reference, "step,amplitude_deg=100 ...")
         ->required()
         ->type_name("SHAPE,KEY=VALUE...");
+    move->add_option("--axis", options.axis, "Which axis moves, on a device with several")->type_name("NAME");
     move->add_option("--duration", options.duration, "Seconds")->required()->type_name("S");
     addRecordingOut(move, "--out", options.out, "Recording");
 }

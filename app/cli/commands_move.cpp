@@ -10,10 +10,22 @@ namespace halbench::app {
 
 namespace {
 
+std::string crossAxisText(const MoveResult& result) {
+    std::string text;
+    for (const CrossAxisPeak& other : result.others) {
+        JsonValue peak = JsonValue::object();
+        peak.set("largest_distance_" + other.axis.positionUnit, other.truth ? *other.truth : other.measured);
+        text += figureLines("axis " + other.axis.id + ", which was to stay", peak);
+    }
+    return text;
+}
+
 /// A simulated device knows its true position; what is measured of any other is all there is.
 std::string moveText(const MoveResult& result) {
     constexpr std::string_view Measured = "measured_";
-    const JsonValue first = moveFigures(result.figures());
+    const bool isOneOfSeveral = !result.others.empty();
+    const JsonValue first = isOneOfSeveral ? moveFigures(result.figures(), result.axis.positionUnit)
+                                           : moveFigures(result.figures());
     JsonValue measured = JsonValue::object();
     JsonValue rest = JsonValue::object();
     const JsonValue body = moveBody(result);
@@ -24,10 +36,11 @@ std::string moveText(const MoveResult& result) {
             rest.set(figure.key, figure.value);
         }
     }
-    std::string text =
-        result.truth ? figureLines("true position of the simulated rotor", first) : std::string();
-    text += figureLines("measured position", measured) + figureLines("drive", rest);
-    return text + findingLines(result.quality);
+    const std::string of = isOneOfSeveral ? " of axis " + result.axis.id : std::string();
+    const std::string truth = isOneOfSeveral ? "true position" + of : "true position of the simulated rotor";
+    std::string text = result.truth ? figureLines(truth, first) : std::string();
+    text += figureLines("measured position" + of, measured) + figureLines("drive", rest);
+    return text + crossAxisText(result) + findingLines(result.quality);
 }
 
 } // namespace
@@ -48,6 +61,7 @@ CommandResult runMoveCommand(CommandContext& context, const CommandOptions& opti
     MoveConfig config;
     config.reference = *reference;
     config.duration_s = *duration;
+    config.axis = options.axis;
     ResultHeader header = headerFor(context, "halbench.move/1", **device);
     const Result<MoveResult> result = runMove(**device, config, observerFor(context));
     if (!result) {
@@ -63,9 +77,12 @@ CommandResult runMoveCommand(CommandContext& context, const CommandOptions& opti
     }
     context.console.print(moveText(*result));
     JsonValue document = toJson(header);
-    if (const Result<void> printed =
-            context.console.printDocument(document.set("figures", moveBody(*result)));
-        !printed) {
+    if (result->others.empty()) {
+        document.set("figures", moveBody(*result));
+    } else {
+        document.set("axes", movedAxes(*result));
+    }
+    if (const Result<void> printed = context.console.printDocument(document); !printed) {
         return failure(printed.error());
     }
     return exitCodeFor(result->quality);

@@ -38,7 +38,7 @@ JsonValue analysisBody(const AnalysisResult& result);
 void setJudgement(JsonValue& body, const TuneResult& result);
 /// The figures of the axis that moved: on a device with one axis angles in degrees, with several in SI units.
 JsonValue moveBody(const MoveResult& result);
-/// `axes` of a move on a device with several: each with `axis`, its figures and what the others did meanwhile.
+/// `axes` of a move on a device with several: figures of the one that moved, and how far the others went.
 JsonValue movedAxes(const MoveResult& result);
 /// Of a move that was repeated; it holds at least one run.
 JsonValue repetitionBody(const MoveRepetition& repetition);

@@ -38,6 +38,7 @@ struct CommandOptions {
     std::string capture;                   ///< record --capture A,B
     std::string trigger, preTrigger, wait; ///< record
     std::string reference;
+    std::string axis; ///< --axis, of a device with several
     std::string what; ///< hall, stray, static-friction or all; of config: save, compare or restore
     std::string only; ///< config restore --only A,B
     bool withCalibration = false; ///< config restore --calibration

@@ -26,7 +26,8 @@ struct UnitSuffix {
 constexpr std::array UnitSuffixes = {
     UnitSuffix{"_rad_s", "rad/s"}, UnitSuffix{"_rad", "rad"}, UnitSuffix{"_degC", "degC"},
     UnitSuffix{"_deg", "deg"},     UnitSuffix{"_ratio", ""},  UnitSuffix{"_percent", "%"},
-    UnitSuffix{"_A", "A"},         UnitSuffix{"_s", "s"},
+    UnitSuffix{"_A", "A"},         UnitSuffix{"_s", "s"},     UnitSuffix{"_m", "m"},
+    UnitSuffix{"_Nm", "N*m"},      UnitSuffix{"_N", "N"},
 };
 
 std::string figureLine(std::string name, const JsonValue& value) {

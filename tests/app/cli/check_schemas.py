@@ -77,6 +77,8 @@ class Schemas(unittest.TestCase):
         self.accept(self.run_json("move", "sim:htm", "--reference", "step,amplitude_deg=100", "--duration", "1"))
         self.accept(self.run_json("move", "sim:htm", "--reference", "sine,amplitude_deg=45,frequency_hz=1", "--duration",
                                   "4"))
+        for axis, height in (("x", "amplitude_um=100"), ("phi", "amplitude_mrad=1")):
+            self.accept(self.run_json("move", "sim:planar", "--axis", axis, "--reference", f"step,{height}", "--duration", "1"))
         self.accept(self.run_json("calibrate", "sim:htm", "all"))
 
     def test_from_identification_to_analysis(self):
