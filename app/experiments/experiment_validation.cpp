@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace halbench::app {
 
@@ -216,6 +218,23 @@ Result<void> checkRecording(const ConfigNode& step) {
     return {};
 }
 
+/// An amplitude, a rate and a base are each written in one unit.
+Result<void> checkReferenceUnits(const ConfigNode* reference) {
+    for (const std::string_view stem : {"amplitude_", "rate_", "base_"}) {
+        std::vector<std::string> keys;
+        for (std::size_t i = 0; reference != nullptr && i < reference->members.size(); ++i) {
+            if (reference->members[i].first.starts_with(stem)) {
+                keys.push_back(reference->members[i].first);
+            }
+        }
+        if (keys.size() > 1) {
+            return complaint(*reference, fmt::format("'{}' and '{}' say the same", keys[0], keys[1]),
+                             "give one");
+        }
+    }
+    return {};
+}
+
 /// Rules that no single key can hold.
 Result<void> checkCombination(const ConfigNode& step) {
     const auto has = [&](const ConfigNode* table, const char* key) {
@@ -249,15 +268,7 @@ Result<void> checkCombination(const ConfigNode& step) {
             return read;
         }
     }
-    const ConfigNode* reference = step.find("reference");
-    for (const auto& [left, right] :
-         {std::pair("amplitude_deg", "amplitude_rad"), std::pair("rate_deg_s", "rate_rad_s"),
-          std::pair("base_deg_s", "base_rad_s")}) {
-        if (has(reference, left) && has(reference, right)) {
-            return complaint(*reference, fmt::format("'{}' and '{}' say the same", left, right), "give one");
-        }
-    }
-    return {};
+    return checkReferenceUnits(step.find("reference"));
 }
 
 /// A step may use the results of steps before it only.

@@ -3,6 +3,7 @@
 #include "app/actuators/htm/known_motor.h"
 #include "app/documents/presets.h"
 #include "app/experiments/step_configs.h"
+#include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/frequency/frequency_board.h"
 #include "app/procedures/relay/relay_plan.h"
@@ -118,7 +119,17 @@ private:
         if (!config) {
             return failure(config.error());
         }
-        addMove(*config, plan, step.number("repeat").value_or(1.0));
+        const double runs = step.number("repeat").value_or(1.0);
+        const Result<devices::AxisSpec> axis = chosenAxis(m_device.catalogue(), config->axis);
+        if (!axis) {
+            return failure(axis.error());
+        }
+        if (axis->effortUnit == "A") {
+            addMove(*config, plan, runs);
+        } else { // no model of the axis: as much as the board lets flow
+            plan.duration_s = runs * (axis->settle_s + config->duration_s);
+            plan.peakCurrent_A = m_law.limit_A;
+        }
         return {};
     }
 

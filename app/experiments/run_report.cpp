@@ -23,7 +23,7 @@ namespace {
 std::optional<models::IdealTrace> idealTrace(const MoveOutcome& move,
                                              const std::optional<KnownMotor>& motor) {
     const std::optional<control::LoopReference> reference = idealReference(move.config.reference);
-    if (!reference || !motor) {
+    if (!reference || !motor || move.result.axis.effortUnit != "A") {
         return std::nullopt;
     }
     models::IdealLoopConfig config;

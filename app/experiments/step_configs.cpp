@@ -172,6 +172,7 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
     if (const Result<void> valid = checkMoveReference(config.reference); !valid) {
         return at(reference, valid.error());
     }
+    config.axis = step.text("axis").value_or("");
     config.duration_s = *step.number("duration_s");
     config.evaluateFrom_s = step.number("evaluate_from_s");
     config.evaluateTo_s = step.number("evaluate_to_s");

@@ -9,6 +9,8 @@
 #include "app/procedures/tune/position_law_parameters.h"
 #include "control/base/units.h"
 
+#include <fmt/format.h>
+
 namespace halbench::app {
 
 namespace {
@@ -41,6 +43,19 @@ private:
     devices::ReturningDevice* m_device;
 };
 
+/// These keys are in degrees.
+Result<void> checkKeysOfAxis(const devices::Catalogue& catalogue, const ExperimentStep& step) {
+    for (const char* key : {"repeat", "lock_threshold_deg"}) {
+        if (catalogue.axes.size() > 1 && step.find(key) != nullptr) {
+            return failure(
+                ErrorCode::InvalidInput,
+                fmt::format("step \"{}\": '{}' is not for a device with several axes", step.name, key),
+                "Leave it out; write one step for each move.");
+        }
+    }
+    return {};
+}
+
 } // namespace
 
 Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
@@ -51,6 +66,9 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     const Result<control::SampledPositionLaw> law = readPositionLaw(run.device);
     if (!law) {
         return failure(law.error());
+    }
+    if (const Result<void> fits = checkKeysOfAxis(run.device.catalogue(), step); !fits) {
+        return failure(fits.error());
     }
     RepeatConfig repeat;
     repeat.count = static_cast<int>(step.number("repeat").value_or(1.0));
@@ -63,7 +81,11 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     }
     StepOutcome outcome;
     outcome.quality = result->last.quality;
-    outcome.body = moveBody(result->last);
+    if (result->last.others.empty()) {
+        outcome.body = moveBody(result->last);
+    } else {
+        outcome.body.set("axes", movedAxes(result->last));
+    }
     MoveOutcome detail{*std::move(config), *law, std::move(result->last), std::nullopt};
     if (step.find("repeat") != nullptr) {
         outcome.body.set("repetition", repetitionBody(result->repetition));

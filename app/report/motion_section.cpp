@@ -15,12 +15,27 @@ namespace {
 using widgets::Curve;
 using widgets::CurveStyle;
 
-/// A column in degrees from `origin_rad`.
-std::vector<double> degreesFrom(std::vector<double> angle_rad, double origin_rad) {
-    for (double& value : angle_rad) {
-        value = radiansToDegrees(value - origin_rad);
+/// In which unit people read the positions of an axis, and how many of them one of its own units is.
+struct PositionScale {
+    std::string unit;   ///< in tables
+    std::string symbol; ///< on axes of plots
+    double perUnit = 1.0;
+};
+
+PositionScale scaleOf(const devices::AxisSpec& axis) {
+    if (axis.turnsForever) {
+        return {"\u00b0", "deg", radiansToDegrees(1.0)};
     }
-    return angle_rad;
+    const std::string small = "\u00b5" + axis.positionUnit;
+    return {small, small, 1e6};
+}
+
+/// A column from `origin`, in the unit of the scale.
+std::vector<double> scaledFrom(std::vector<double> positions, double origin, const PositionScale& scale) {
+    for (double& value : positions) {
+        value = scale.perUnit * (value - origin);
+    }
+    return positions;
 }
 
 std::vector<double> difference(const std::vector<double>& left, const std::vector<double>& right) {
@@ -39,40 +54,45 @@ void appendPanel(widgets::Figure& figure, widgets::Axis axis, std::vector<Curve>
     }
 }
 
-/// Position over reference and prediction, error, current; all angles from where the rotor was at the start.
-widgets::Figure motionFigure(const Recording& recording, const std::optional<models::IdealTrace>& predicted) {
+/// Position over reference and prediction, error, effort; all positions from where the axis was at the start.
+/// Signals that are not called after their roles are not drawn.
+widgets::Figure motionFigure(const MoveResult& result, const std::optional<models::IdealTrace>& predicted) {
     widgets::Figure figure{"Position over reference", {"time", "s", false, {}, {}, {}}, {}};
-    const std::vector<double> measured_rad =
-        recording.layout ? recording.column("position") : std::vector<double>{};
-    if (measured_rad.empty()) {
+    const Recording& recording = result.recording;
+    const devices::AxisRoles& roles = result.axis.roles;
+    const PositionScale scale = scaleOf(result.axis);
+    const std::vector<double> positions =
+        recording.layout ? recording.column(roles.position) : std::vector<double>{};
+    if (positions.empty()) {
         return figure;
     }
     const auto& time_s = recording.time_s;
-    const std::vector<double> truth_rad = recording.column("truth.position");
-    const std::vector<double> reference_deg =
-        degreesFrom(recording.column("reference"), measured_rad.front());
-    const std::vector<double> measured_deg = degreesFrom(measured_rad, measured_rad.front());
-    const std::vector<double> truth_deg =
-        truth_rad.empty() ? std::vector<double>{} : degreesFrom(truth_rad, truth_rad.front());
+    const std::vector<double> trueOnes = recording.column(roles.truePosition);
+    const std::vector<double> reference =
+        scaledFrom(recording.column(roles.reference), positions.front(), scale);
+    const std::vector<double> measured = scaledFrom(positions, positions.front(), scale);
+    const std::vector<double> truth =
+        trueOnes.empty() ? std::vector<double>{} : scaledFrom(trueOnes, trueOnes.front(), scale);
 
-    std::vector<Curve> positions = {{"reference", time_s, reference_deg, CurveStyle::DottedLine, 7}};
+    std::vector<Curve> curves = {{"reference", time_s, reference, CurveStyle::DottedLine, 7}};
     if (predicted) {
-        positions.push_back({"predicted (ideal loop)", predicted->time_s,
-                             degreesFrom(predicted->angle_rad, 0.0), CurveStyle::DashedLine, 1});
+        curves.push_back({"predicted (ideal loop)", predicted->time_s,
+                          scaledFrom(predicted->angle_rad, 0.0, scale), CurveStyle::DashedLine, 1});
     }
-    positions.push_back({"measured", time_s, measured_deg, CurveStyle::Line, 0});
-    appendPanel(figure, {"position", "deg", false, {}, {}, {}}, std::move(positions), 240);
+    curves.push_back({"measured", time_s, measured, CurveStyle::Line, 0});
+    appendPanel(figure, {"position", scale.symbol, false, {}, {}, {}}, std::move(curves), 240);
 
     std::vector<Curve> errors = {
-        {"measured error", time_s, difference(reference_deg, measured_deg), CurveStyle::Line, 0}};
-    if (!truth_deg.empty()) {
-        errors.push_back({"true error", time_s, difference(reference_deg, truth_deg), CurveStyle::Line, 2});
+        {"measured error", time_s, difference(reference, measured), CurveStyle::Line, 0}};
+    if (!truth.empty()) {
+        errors.push_back({"true error", time_s, difference(reference, truth), CurveStyle::Line, 2});
     }
     if (errors.front().y.size() == time_s.size()) {
-        appendPanel(figure, {"error", "deg", false, {}, {}, {}}, std::move(errors), 140);
+        appendPanel(figure, {"error", scale.symbol, false, {}, {}, {}}, std::move(errors), 140);
     }
-    appendPanel(figure, {"current", "A", false, {}, {}, {}},
-                {{{}, time_s, recording.column("current_command"), CurveStyle::Line, 5}}, 110);
+    const bool isCurrent = result.axis.effortUnit == "A";
+    appendPanel(figure, {isCurrent ? "current" : "effort", result.axis.effortUnit, false, {}, {}, {}},
+                {{{}, time_s, recording.column(roles.effort), CurveStyle::Line, 5}}, 110);
     return figure;
 }
 
@@ -83,21 +103,22 @@ Cell numberOf(const std::optional<double>& value, double scale, int decimals) {
 }
 
 /// Figures of several responses beside each other.
-ReportTable figuresTable(const std::vector<std::pair<std::string, const MoveFigures*>>& responses) {
+ReportTable figuresTable(const std::vector<std::pair<std::string, const MoveFigures*>>& responses,
+                         const PositionScale& scale) {
     ReportTable table;
     table.columns = {{"figure"}};
     for (const auto& response : responses) {
         table.columns.push_back({response.first, true});
     }
     table.columns.push_back({"unit"});
-    const double degrees = radiansToDegrees(1.0);
-    const auto row = [&](const char* name, const char* unit, double scale, int decimals, const auto& value) {
+    const char* const position = scale.unit.c_str();
+    const auto row = [&](const char* name, const char* unit, double factor, int decimals, const auto& value) {
         std::vector<Cell> cells = {{name}};
         bool isKnown = false;
         for (const auto& response : responses) {
             const std::optional<double> number = value(*response.second);
             isKnown = isKnown || number.has_value();
-            cells.push_back(numberOf(number, scale, decimals));
+            cells.push_back(numberOf(number, factor, decimals));
         }
         cells.push_back({unit, ReportTone::Muted});
         if (isKnown) {
@@ -110,12 +131,12 @@ ReportTable figuresTable(const std::vector<std::pair<std::string, const MoveFigu
     row("peak time", "s", 1.0, 3, [](const MoveFigures& f) { return f.peakTime_s; });
     row("settling time, 2 %", "s", 1.0, 3, [](const MoveFigures& f) { return f.settlingTime_s; });
     row("locked from", "s", 1.0, 3, [](const MoveFigures& f) { return f.lockTime_s; });
-    row("final error", "\u00b0", degrees, 3, [](const MoveFigures& f) { return Number(f.finalError); });
-    row("largest error, evaluated part", "\u00b0", degrees, 3,
+    row("final error", position, scale.perUnit, 3, [](const MoveFigures& f) { return Number(f.finalError); });
+    row("largest error, evaluated part", position, scale.perUnit, 3,
         [](const MoveFigures& f) { return Number(f.maxError); });
-    row("rms error, evaluated part", "\u00b0", degrees, 3,
+    row("rms error, evaluated part", position, scale.perUnit, 3,
         [](const MoveFigures& f) { return Number(f.rmsError); });
-    row("largest error, whole run", "\u00b0", degrees, 3,
+    row("largest error, whole run", position, scale.perUnit, 3,
         [](const MoveFigures& f) { return Number(f.peakError); });
     row("gain", "", 1.0, 4, [](const MoveFigures& f) { return f.gain_ratio; });
     row("phase", "\u00b0", 1.0, 2, [](const MoveFigures& f) { return f.phase_deg; });
@@ -153,17 +174,25 @@ void appendMove(ReportSection& section, const MoveResult& result,
     if (predictedFigures) {
         responses.emplace_back("predicted", &*predictedFigures);
     }
-    section.blocks.emplace_back(figuresTable(responses));
-    widgets::Figure figure = motionFigure(result.recording, predicted);
+    section.blocks.emplace_back(figuresTable(responses, scaleOf(result.axis)));
+    widgets::Figure figure = motionFigure(result, predicted);
     if (!figure.panels.empty()) {
         section.blocks.emplace_back(ReportPlot{std::move(figure), {}});
     }
     ReportFacts facts{
         {{"peak current", fmt::format("{:.3f} A", result.peakCurrent_A)},
          {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}};
+    for (const CrossAxisPeak& other : result.others) {
+        const PositionScale scale = scaleOf(other.axis);
+        facts.facts.push_back(
+            {"largest distance of axis " + other.axis.id,
+             fmt::format("{:.3g} {}", scale.perUnit * other.truth.value_or(other.measured), scale.unit)});
+    }
     if (result.lockThreshold) {
-        facts.facts.push_back({"locked means", fmt::format("error below {:.3g}\u00b0 to the end",
-                                                           radiansToDegrees(*result.lockThreshold))});
+        const PositionScale scale = scaleOf(result.axis);
+        facts.facts.push_back(
+            {"locked means", fmt::format("error below {:.3g}{} to the end",
+                                         scale.perUnit * *result.lockThreshold, scale.unit)});
     }
     section.blocks.emplace_back(std::move(facts));
 }
