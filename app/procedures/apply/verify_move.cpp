@@ -63,14 +63,14 @@ void judge(const ApplyVerification& verification, ApplyResult& result) {
     if (predicted.overshoot_percent && measured.overshoot_percent) {
         band.allowedOvershoot_percent =
             *predicted.overshoot_percent + verification.overshootTolerance_percent;
-        band.allowed_rad = std::max(std::fabs(predicted.finalError), band.friction_rad) +
-                           verification.errorTolerance_rad;
+        band.allowed_rad =
+            std::max(std::fabs(predicted.finalError), band.friction_rad) + verification.errorTolerance_rad;
         expect("overshoot", *measured.overshoot_percent, *band.allowedOvershoot_percent, "%");
         expect("final error", std::fabs(measured.finalError), band.allowed_rad, "rad");
     } else {
         constexpr double Margin_ratio = 1.5; // friction scatter is the largest part of a tracking error
-        band.allowed_rad = Margin_ratio * std::max(predicted.rmsError, band.friction_rad) +
-                           verification.errorTolerance_rad;
+        band.allowed_rad =
+            Margin_ratio * std::max(predicted.rmsError, band.friction_rad) + verification.errorTolerance_rad;
         expect("rms error", measured.rmsError, band.allowed_rad, "rad");
     }
 }

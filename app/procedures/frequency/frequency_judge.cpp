@@ -96,8 +96,7 @@ Result<std::vector<control::PlantPoint>> pointsOf(const FrequencyRun& run, const
 
 FrequencyBand bandOf(const FrequencyStage& stage) {
     const MoveReference& reference = stage.reference;
-    return {reference.frequency_Hz, stage.to_Hz, static_cast<int>(stage.lines.size()),
-            reference.amplitude};
+    return {reference.frequency_Hz, stage.to_Hz, static_cast<int>(stage.lines.size()), reference.amplitude};
 }
 
 bool isCoherent(const control::PlantPoint& point, const FrequencyConfig& config) {

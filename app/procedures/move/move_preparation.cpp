@@ -49,11 +49,12 @@ void holdOthers(const devices::Catalogue& catalogue, const devices::AxisSpec& mo
 
 // A motor that is still coasting from its last move would give the reference a moving origin. One that does
 // not stop (no friction) is taken as it is; the figures then speak for themselves.
-Result<void> awaitRest(devices::Device& device, const ProcedureObserver& observer) {
+Result<void> awaitRest(devices::Device& device, const devices::AxisSpec& axis,
+                       const ProcedureObserver& observer) {
     constexpr double Still_rad_s = 0.15; // one count that flickers looks like 0.11 rad/s
     constexpr double Patience_s = 10.0;
     constexpr double Piece_s = 0.1;
-    const std::string names[] = {"speed"};
+    const std::string names[] = {signalOf(device.catalogue(), axis.roles.speed)};
     if (device.catalogue().findSignal(names[0]) == nullptr) {
         return {};
     }
@@ -171,7 +172,7 @@ Result<void> prepareMove(devices::Device& device, const MoveConfig& config, cons
     if (!heat) {
         return failure(heat.error());
     }
-    return axis.turnsForever ? awaitRest(device, observer) : awaitZero(device, observer);
+    return axis.turnsForever ? awaitRest(device, axis, observer) : awaitZero(device, observer);
 }
 
 } // namespace halbench::app

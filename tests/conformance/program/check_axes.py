@@ -85,7 +85,7 @@ max = 1
         self.assertEqual([step["axes"][0]["axis"] for step in steps], ["x", "phi"])
         for words, changed in (("no axis 'z'", text.replace('"phi"', '"z"')), ("several axes", text.replace('axis = "x"\n', "")),
                                ("axis phi turns", text.replace("amplitude_mrad", "amplitude_um")),
-                               ("'amplitude_um' and 'amplitude_mm' say the same", text.replace("= 1000 ", "= 1000, amplitude_mm = 1 ")),
+                               ("'amplitude_mm' and 'amplitude_um' say the same", text.replace("= 1000 ", "= 1000, amplitude_mm = 1 ")),
                                ("not for a device with several axes", text.replace("duration_s = 1", "duration_s = 1\nrepeat = 2", 1))):
             with self.subTest(words):
                 self.write("bad.toml", changed)

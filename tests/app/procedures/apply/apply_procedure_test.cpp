@@ -80,8 +80,8 @@ TEST(Apply, saysHowFarTheMoveWasFromItsPrediction) {
     const VerificationBand& band = *result->band;
     // 1.15 K_f/phi less the 0.9 K_f/phi of the assist, over 40 A/rad: 0.25 1.434/40 rad.
     EXPECT_NEAR(band.friction_rad, 0.25 * 2.05e-2 / 1.43e-2 / 40.0, 1e-4);
-    EXPECT_NEAR(band.allowed_rad,
-                0.02 + std::max(band.friction_rad, std::abs(result->predicted->finalError)), 1e-12);
+    EXPECT_NEAR(band.allowed_rad, 0.02 + std::max(band.friction_rad, std::abs(result->predicted->finalError)),
+                1e-12);
     EXPECT_NEAR(*band.allowedOvershoot_percent, *result->predicted->overshoot_percent + 8.0, 1e-12);
     const std::vector<double> position = result->verification->recording.column("position");
     double largest = 0.0;

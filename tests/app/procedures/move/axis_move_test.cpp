@@ -144,6 +144,42 @@ TEST(AxisMove, homesABoardThatKnowsNoZeroAndPutsEverythingBack) {
     EXPECT_EQ(parameter(*device, "hb.mode"), mode);
 }
 
+TEST(AxisMove, putsEverythingBackWhenItIsEndedInTheMiddle) {
+    for (const ProcedureState last :
+         {ProcedureState::Prepare, ProcedureState::Excite, ProcedureState::Record, ProcedureState::Judge}) {
+        const auto device = openPlaten("imperfections=off");
+        ASSERT_NE(device, nullptr);
+        const std::vector<std::string> names = {"window.x", "window.speed", "window.position_enabled",
+                                                "hb.mode"};
+        const auto before = device->readParameters(names);
+        bool isEnding = false;
+        ProcedureObserver observer;
+        observer.onState = [&](ProcedureState state) { isEnding = isEnding || state == last; };
+        observer.checkAbort = [&]() -> Result<void> {
+            return isEnding ? failure(ErrorCode::Interrupted, "ended by the test", "none") : Result<void>();
+        };
+        const auto result = runMove(*device, moveOf("x", "step,amplitude_mm=1", 0.5), observer);
+        ASSERT_FALSE(result) << procedureStateName(last);
+        EXPECT_EQ(result.error().code, ErrorCode::Interrupted);
+        EXPECT_FALSE(device->state().isArmed) << procedureStateName(last);
+        EXPECT_EQ(*device->readParameters(names), *before) << procedureStateName(last);
+    }
+}
+
+TEST(AxisMove, endsWithTheBoardsReasonAndPutsEverythingBack) {
+    const auto device = openPlaten("imperfections=off");
+    ASSERT_NE(device, nullptr);
+    // 20 mm at once demand 10 N, of which the coils have 3 (section 6 there): 50 mm/s after 11 ms.
+    setParameter(*device, "window.speed", 0.05);
+    const double window = parameter(*device, "window.x");
+    const auto result = runMove(*device, moveOf("x", "step,amplitude_mm=20", 0.5), {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::SafetyStop) << result.error().message;
+    EXPECT_FALSE(device->state().isArmed);
+    EXPECT_EQ(parameter(*device, "window.x"), window);
+    EXPECT_EQ(parameter(*device, "window.speed"), 0.05);
+}
+
 TEST(AxisMove, leavesTheOtherReferencesAtRest) {
     const auto device = openPlaten("imperfections=off");
     ASSERT_NE(device, nullptr);

@@ -16,8 +16,7 @@ MoveResponse perfectResponse(const MoveConfig& config, Bend bend) {
     for (int i = 0; i <= std::lround(config.duration_s * 1000.0); ++i) {
         const double sampled_s = 0.01 * (i / 10); // held for a period of the loop
         response.time_s.push_back(i * 1e-3);
-        response.reference.push_back(
-            bend(sampled_s, referenceAt(config.reference, sampled_s).value_or(0.0)));
+        response.reference.push_back(bend(sampled_s, referenceAt(config.reference, sampled_s).value_or(0.0)));
         response.position.push_back(response.reference.back());
     }
     return response;
@@ -52,9 +51,9 @@ TEST(MoveJudgement, refusesAReferenceThatBeganTwice) {
     for (const char* reference : References) {
         const MoveConfig config = move(reference, 2.0);
         const auto twice = [&config](double time_s, double value_rad) {
-            return time_s < 0.5 ? value_rad
-                                : *referenceAt(config.reference, 0.5) +
-                                      *referenceAt(config.reference, time_s - 0.5);
+            return time_s < 0.5
+                       ? value_rad
+                       : *referenceAt(config.reference, 0.5) + *referenceAt(config.reference, time_s - 0.5);
         };
         // The endless ramp goes on as before: nothing differs, and nothing went wrong.
         const bool goesOn = std::string(reference) == "ramp,rate_deg_s=720";
