@@ -256,7 +256,7 @@ double ReferenceForm::peak() const {
     const double base = valueOf(Field::Base);
     MoveReference wanted = reference();
     if (!isPosition()) {
-        wanted.base_rad_s = 0.0;
+        wanted.base = 0.0;
     }
     const double time_s = shape() == static_cast<int>(MoveReference::Shape::Staircase)
                               ? wanted.period_s * wanted.count

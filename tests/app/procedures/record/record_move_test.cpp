@@ -249,7 +249,7 @@ TEST(MoveReference, readsTheCommandLinesForm) {
     const auto sine = parseMoveReference("sine,amplitude_deg=360,period_s=5");
     ASSERT_TRUE(sine);
     EXPECT_EQ(sine->shape, MoveReference::Shape::Sine);
-    EXPECT_NEAR(sine->amplitude_rad, 2.0 * Pi, 1e-12);
+    EXPECT_NEAR(sine->amplitude, 2.0 * Pi, 1e-12);
     EXPECT_NEAR(sine->frequency_Hz, 0.2, 1e-12);
     const auto stairs = parseMoveReference("staircase,amplitude_deg=0.32,period_s=1,count=10");
     ASSERT_TRUE(stairs);
