@@ -1,5 +1,6 @@
 #include "app/experiments/experiment_runner.h"
 
+#include "app/experiments/step_configs.h"
 #include "app/experiments/step_runs.h"
 #include "app/procedures/base/restored_result.h"
 
@@ -64,6 +65,14 @@ Error inStep(const ExperimentStep& step, Error error) {
 RunOutcome runExperiment(CommandContext& context, devices::Device& device, const Experiment& experiment,
                          std::uint64_t seed, const std::string& folder) {
     RunOutcome outcome;
+    for (const ExperimentStep& step : experiment.steps) {
+        const Result<void> fits =
+            step.kind == "move" ? checkAxisOf(device.catalogue(), step) : Result<void>();
+        if (!fits) {
+            outcome.stoppedBy = inStep(step, fits.error());
+            return outcome;
+        }
+    }
     Result<RestoreGuard> guard = RestoreGuard::take(device);
     if (!guard) {
         outcome.stoppedBy = guard.error();

@@ -3,6 +3,7 @@
 #include "app/documents/presets.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/procedure_choices.h"
+#include "app/procedures/base/axis_choice.h"
 #include "app/procedures/frequency/frequency_board.h"
 #include "control/base/units.h"
 
@@ -180,6 +181,15 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
         config.lockThreshold = degreesToRadians(*threshold_deg);
     }
     return config;
+}
+
+Result<void> checkAxisOf(const devices::Catalogue& catalogue, const ExperimentStep& step) {
+    const Result<MoveConfig> config = moveConfigOf(step);
+    if (!config) {
+        return failure(config.error());
+    }
+    const Result<devices::AxisSpec> axis = chosenAxis(catalogue, config->axis);
+    return axis ? checkQuantity(config->reference, *axis) : failure(axis.error());
 }
 
 bool isWaitingStep(const ExperimentStep& step) {

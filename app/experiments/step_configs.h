@@ -13,6 +13,9 @@ FrequencyConfig frequencyConfigOf(const ExperimentStep& step);
 RelayConfig relayConfigOf(const ExperimentStep& step);
 Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step);
 Result<MoveConfig> moveConfigOf(const ExperimentStep& step);
+/// The axis of a move is one of the device's and its reference in units of that. Errors: of chosenAxis(),
+/// checkQuantity().
+Result<void> checkAxisOf(const devices::Catalogue& catalogue, const ExperimentStep& step);
 /// A recording that waits for a device that is lost (`reconnect`).
 bool isWaitingStep(const ExperimentStep& step);
 RecordConfig recordConfigOf(const ExperimentStep& step);

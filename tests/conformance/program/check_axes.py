@@ -90,6 +90,8 @@ max = 1
             with self.subTest(words):
                 self.write("bad.toml", changed)
                 self.assertRegex(self.run_program("run", "bad.toml", "--out", "bad").err, words)
+        self.write("bad.toml", text.replace('"phi"', '"z"'))
+        self.refuse(2, "step \"turn\": the device has no axis 'z'", "run", "bad.toml", "--out", "none")    # before the first moves
 
     def test_what_is_not_clear_is_refused_before_anything_moves(self):
         for words, *arguments in (("several axes", *STEP), ("only one axis", "--axis", "all", *STEP), ("no axis 'z'", "--axis", "z", *STEP),
