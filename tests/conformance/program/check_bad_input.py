@@ -286,7 +286,7 @@ class Experiments(ProgramCase):
                  ("duration_s = 1.0", "duration_s = \"long\"", 9, "duration_s"),
                  ("duration_s = 1.0", "duration_s = -1", 9, "duration_s"), ("duration_s = 1.0", "duration_s = nan", 9, "duration_s"),
                  ("duration_s = 1.0", "duration_ms = 1000", 9, "duration_s"),
-                 ("amplitude_deg = 100", "amplitude_mm = 100", 8, "amplitude_deg"),
+                 ("amplitude_deg = 100", "amplitude_inch = 100", 8, "amplitude_deg"),
                  ("max = 90", "maximum = 90", 13, "max"), ("step100.overshoot_percent", "step99.overshoot_percent", 12, "step99"),
                  ("/1\"", "/9\"", 1, "halbench.experiment/1"), ("[[step]]", "[[stage]]", 5, "step"),
                  ("name = \"step100\"", "name = 100", 7, "name"), ("title = ", "title ", 2, r"\w"))
