@@ -20,7 +20,7 @@ typedef struct {
 } normal_equations;
 
 static uint8_t isUsed(uint8_t used, uint8_t chip) {
-    return (used >> chip) & 1U;
+    return (uint8_t)(((unsigned int)used >> chip) & 1U);
 }
 
 static uint8_t countOf(uint8_t used) {

@@ -101,7 +101,7 @@ float hb_tracker_update(hb_tracker* tracker, const hb_chips* chips, float pitch_
     pose.phi_rad = tracker->mean[2];
     for (uint8_t chip = 0; chip < HB_CHIPS; chip++) {
         hb_chip_model model;
-        if (((used >> chip) & 1U) == 0U) {
+        if ((((unsigned int)used >> chip) & 1U) == 0U) {
             continue;
         }
         model = hb_chip_model_at(chips, pitch_m, &pose, chip);
