@@ -125,7 +125,8 @@ TEST_F(ImportViewTest, showsTheFirstRowsAsTheyWouldBeReadAndImportsThem) {
     EXPECT_DOUBLE_EQ(recording.values[1], 1.25);
     EXPECT_EQ(imported, folder.filePath("log.csv"));
     EXPECT_TRUE(message().text.contains("3 rows")) << message().text.toStdString();
-    EXPECT_TRUE(message().remedy.contains("stone")) << message().remedy.toStdString(); // what is doubtful of it
+    EXPECT_TRUE(message().remedy.contains("stone"))
+        << message().remedy.toStdString(); // what is doubtful of it
     EXPECT_FALSE(button().isEnabled());
 }
 
