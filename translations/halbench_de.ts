@@ -95,6 +95,26 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>{}; move one after the other</source>
+        <translation>{}; eine nach der anderen bewegen</translation>
+    </message>
+    <message>
+        <source>{}; name one with --axis, in an experiment with the key &apos;axis&apos;</source>
+        <translation>{}; eine mit --axis nennen, in einem Experiment mit dem Schlüssel 'axis'</translation>
+    </message>
+    <message>
+        <source>its axes are {}</source>
+        <translation>seine Achsen sind {}</translation>
+    </message>
+    <message>
+        <source>use one of its own: {}</source>
+        <translation>eines der eigenen verwenden: {}</translation>
+    </message>
+    <message>
+        <source>the procedure {} does not suit this device; nothing was armed</source>
+        <translation>das Verfahren {} passt nicht zu diesem Gerät; nichts wurde freigegeben</translation>
+    </message>
+    <message>
         <source>choose a1 and a2 with 0 &lt; a2 &lt; a1 and 4 - 2 a1 + a2 &gt; 0</source>
         <translation>a1 und a2 mit 0 &lt; a2 &lt; a1 und 4 - 2 a1 + a2 &gt; 0 wählen</translation>
     </message>
@@ -5963,24 +5983,12 @@
         <translation>Die alten Werte gelten wieder. Sorgen Sie dafür, dass die Verbindung nicht überlastet ist, und wenden Sie sie noch einmal an.</translation>
     </message>
     <message>
-        <source>Its axes: {}.</source>
-        <translation>Seine Achsen: {}.</translation>
-    </message>
-    <message>
         <source>the device has several axes and none is named</source>
         <translation>das Gerät hat mehrere Achsen, und keine ist genannt</translation>
     </message>
     <message>
-        <source>{} Name one with --axis, in an experiment with the key &apos;axis&apos;.</source>
-        <translation>{} Nennen Sie eine mit --axis, in einem Experiment mit dem Schlüssel &apos;axis&apos;.</translation>
-    </message>
-    <message>
         <source>only one axis moves at a time, not all</source>
         <translation>es bewegt sich nur eine Achse auf einmal, nicht alle</translation>
-    </message>
-    <message>
-        <source>{} Move one after the other.</source>
-        <translation>{} Bewegen Sie eine nach der anderen.</translation>
     </message>
     <message>
         <source>the device has no axis &apos;{}&apos;</source>

@@ -95,6 +95,26 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>{}; move one after the other</source>
+        <translation>{}；请逐个移动</translation>
+    </message>
+    <message>
+        <source>{}; name one with --axis, in an experiment with the key &apos;axis&apos;</source>
+        <translation>{}；用 --axis 指定一个，在实验文件中用键 'axis'</translation>
+    </message>
+    <message>
+        <source>its axes are {}</source>
+        <translation>其轴为 {}</translation>
+    </message>
+    <message>
+        <source>use one of its own: {}</source>
+        <translation>请使用该设备自己的步骤：{}</translation>
+    </message>
+    <message>
+        <source>the procedure {} does not suit this device; nothing was armed</source>
+        <translation>步骤 {} 不适用于此设备；没有使能任何输出</translation>
+    </message>
+    <message>
         <source>choose a1 and a2 with 0 &lt; a2 &lt; a1 and 4 - 2 a1 + a2 &gt; 0</source>
         <translation>请选择满足 0 &lt; a2 &lt; a1 且 4 - 2 a1 + a2 &gt; 0 的 a1 和 a2</translation>
     </message>
@@ -5963,24 +5983,12 @@
         <translation>旧值已恢复。请确认通信链路没有过载，然后重新应用。</translation>
     </message>
     <message>
-        <source>Its axes: {}.</source>
-        <translation>它的轴：{}。</translation>
-    </message>
-    <message>
         <source>the device has several axes and none is named</source>
         <translation>设备有多个轴，但未指定轴</translation>
     </message>
     <message>
-        <source>{} Name one with --axis, in an experiment with the key &apos;axis&apos;.</source>
-        <translation>{}请用 --axis 指定一个轴；在实验文件中用键 &apos;axis&apos;。</translation>
-    </message>
-    <message>
         <source>only one axis moves at a time, not all</source>
         <translation>每次只能移动一个轴，不能同时移动全部轴</translation>
-    </message>
-    <message>
-        <source>{} Move one after the other.</source>
-        <translation>{}请逐个移动。</translation>
     </message>
     <message>
         <source>the device has no axis &apos;{}&apos;</source>

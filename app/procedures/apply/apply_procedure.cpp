@@ -2,6 +2,7 @@
 
 #include "app/procedures/apply/gain_transaction.h"
 #include "app/procedures/apply/verify_move.h"
+#include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
 
@@ -50,6 +51,9 @@ Result<ApplyResult> runInside(devices::Device& device, const ApplyConfig& config
 
 Result<ApplyResult> runGuarded(devices::Device& device, const ApplyConfig& config,
                                const ProcedureObserver& observer) {
+    if (auto offered = checkProcedureOffered(device.catalogue(), "apply"); !offered) {
+        return failure(offered.error());
+    }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }

@@ -4,6 +4,7 @@
 #include "app/procedures/apply/gain_transaction.h"
 #include "app/procedures/apply/live_step_judge.h"
 #include "app/procedures/apply/verify_move.h"
+#include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
 #include "app/procedures/tune/position_law_parameters.h"
@@ -218,6 +219,9 @@ Result<void> checkPlainLaw(devices::Device& device) {
 }
 
 Result<LiveApplyResult> Walk::run() {
+    if (auto offered = checkProcedureOffered(m_device.catalogue(), "apply"); !offered) {
+        return failure(offered.error());
+    }
     if (auto entered = enterState(m_observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }

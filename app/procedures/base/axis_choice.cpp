@@ -17,7 +17,7 @@ std::string listOf(const std::vector<devices::AxisSpec>& axes) {
     for (const devices::AxisSpec& axis : axes) {
         names.push_back(axis.id);
     }
-    return fmt::format("Its axes: {}.", fmt::join(names, ", "));
+    return fmt::format("its axes are {}", fmt::join(names, ", "));
 }
 
 } // namespace
@@ -30,7 +30,7 @@ Result<devices::AxisSpec> chosenAxis(const devices::Catalogue& catalogue, const 
     }
     if (name.empty()) {
         return failure(ErrorCode::Usage, "the device has several axes and none is named",
-                       listOf(axes) + " Name one with --axis, in an experiment with the key 'axis'.");
+                       listOf(axes) + "; name one with --axis, in an experiment with the key 'axis'");
     }
     for (const devices::AxisSpec& axis : axes) {
         if (axis.id == name) {
@@ -39,7 +39,7 @@ Result<devices::AxisSpec> chosenAxis(const devices::Catalogue& catalogue, const 
     }
     if (name == "all") {
         return failure(ErrorCode::Usage, "only one axis moves at a time, not all",
-                       listOf(axes) + " Move one after the other.");
+                       listOf(axes) + "; move one after the other");
     }
     return failure(ErrorCode::UnknownName, fmt::format("the device has no axis '{}'", name), listOf(axes));
 }

@@ -1,5 +1,6 @@
 #include "app/procedures/calibrate/calibrate_procedure.h"
 
+#include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/restored_result.h"
 #include "app/procedures/calibrate/calibrate_runs.h"
 #include "app/procedures/excite/spin_drive.h"
@@ -139,6 +140,9 @@ std::string_view calibrationName(Calibration calibration) {
 
 Result<CalibrateResult> runCalibrate(devices::Device& device, const CalibrateConfig& config,
                                      const ProcedureObserver& observer) {
+    if (auto offered = checkProcedureOffered(device.catalogue(), "calibrate"); !offered) {
+        return failure(offered.error());
+    }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }

@@ -1,6 +1,7 @@
 #include "app/procedures/frequency/frequency_procedure.h"
 
 #include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
 #include "app/procedures/excite/spin_drive.h"
@@ -175,6 +176,9 @@ Result<Excitation> excitation(std::string_view name) {
 Result<FrequencyResult> runFrequency(devices::Device& device, const FrequencyConfig& config,
                                      const std::optional<StrayField>& stray,
                                      const ProcedureObserver& observer) {
+    if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
+        return failure(offered.error());
+    }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }

@@ -1,6 +1,7 @@
 #include "app/procedures/identify/identify_procedure.h"
 
 #include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
 #include "app/procedures/base/row_loss.h"
@@ -140,6 +141,9 @@ Result<IdentifyResult> excite(devices::Device& device, const IdentifyConfig& con
 
 Result<IdentifyResult> runIdentify(devices::Device& device, const IdentifyConfig& config,
                                    const ProcedureObserver& observer) {
+    if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
+        return failure(offered.error());
+    }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }

@@ -2,6 +2,7 @@
 
 #include "app/procedures/apply/gain_transaction.h"
 #include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
 #include "app/procedures/excite/move_reference.h"
@@ -195,6 +196,9 @@ Result<RelayPlan> planRelayOn(devices::Device& device, const RelayConfig& config
 
 Result<RelayResult> runRelay(devices::Device& device, const RelayConfig& config,
                              const ProcedureObserver& observer) {
+    if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
+        return failure(offered.error());
+    }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }
