@@ -34,7 +34,7 @@ JsonValue frequencyBody(const FrequencyResult& result);
 JsonValue calibrationBody(const CalibrateResult& result);
 JsonValue gainsBody(const TuneResult& result);
 JsonValue analysisBody(const AnalysisResult& result);
-/// What gains are judged by beside their prediction: proof, robustness, limit cycles, hunting.
+/// Judgement of gains beside their prediction: proof, robustness, limit cycles, hunting.
 void setJudgement(JsonValue& body, const TuneResult& result);
 /// The figures of the axis that moved: on a device with one axis angles in degrees, with several in SI units.
 JsonValue moveBody(const MoveResult& result);

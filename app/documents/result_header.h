@@ -14,7 +14,7 @@ namespace halbench::app {
 /// The wall clock's now: ISO 8601, UTC.
 std::string wallTime();
 
-/// What every result begins with: schema, version, device, start, seed and the quality of the data
+/// Head of every result: schema, version, device, start, seed and the quality of the data
 /// (resources/help/command-line.md, "Results").
 struct ResultHeader {
     std::string schema;

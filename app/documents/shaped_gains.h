@@ -16,7 +16,7 @@ namespace halbench::app {
 Result<GainsFile> parseShapedGains(const std::string& text, const std::string& origin);
 Result<GainsFile> readShapedGains(const std::string& path);
 
-/// Of a document of gains the same keys, so that it reads back.
+/// Weights and filters of a law as keys of a document of gains, so that it reads back.
 void setShaping(JsonValue& document, const control::ShapedLaw& shaped);
 /// The figures of a filter in the order of its kind's struct, and back: `kind` as LoopFilter counts them. An
 /// order of a low-pass that is not whole is one that no filter has.

@@ -7,7 +7,7 @@
 
 namespace halbench::app {
 
-/// What may stand under a key of an experiment file.
+/// Value kinds of a key of an experiment file.
 enum class KeyType {
     Text,
     Name, ///< letters, digits, '-' and '_': it becomes part of file names

@@ -66,7 +66,7 @@ struct CheckOutcome {
     bool passed = false;
 };
 
-/// What a whole run gave. `stoppedBy` holds the error of a step that ended it early.
+/// Result of a whole run. `stoppedBy` holds the error of a step that ended it early.
 struct RunOutcome {
     std::vector<StepOutcome> steps;
     std::vector<CheckOutcome> checks;

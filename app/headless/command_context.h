@@ -12,7 +12,7 @@
 
 namespace halbench::app {
 
-/// What every command gets. Thread: the main one.
+/// Surroundings of a command: console, options, interruption. Thread: the main one.
 struct CommandContext {
     GlobalOptions global;
     Console& console;

@@ -100,7 +100,7 @@ struct CommandLine {
     std::string helpText;
 };
 
-/// What is certain before anything else is understood: whether --json was asked for, colours, terminal.
+/// Options that count before the others are read: whether --json was asked for, colours, terminal.
 ConsoleStyle styleFromArguments(const std::vector<std::string>& arguments);
 
 /// Errors: Usage, naming what was not understood.

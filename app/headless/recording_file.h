@@ -11,7 +11,7 @@
 
 namespace halbench::app {
 
-/// What a sidecar says of a recording besides its device and signals.
+/// Remarks in the sidecar of a recording, beside its device and signals.
 struct RecordingNotes {
     std::string started; ///< the header's, so that virtual time gives equal bytes
     std::vector<devices::RecordingMeta::Marker> markers;

@@ -23,7 +23,7 @@ models::CoilHeatingConfig coilModel(const devices::Catalogue& catalogue);
 double forecastCoil_degC(const models::CoilHeatingConfig& model, const CoilTemperatures& start,
                          double meanSquare_A2, double duration_s);
 
-/// What to do about heat before arming (resources/help/architecture.md, safety): waits while a coil is above
+/// Decision about heat before arming (resources/help/architecture.md, safety): waits while a coil is above
 /// `pause_degC`, then refuses when the forecast passes `refuse_degC`. Gives the forecast.
 /// Errors: Refused (hint: how long to rest or what to reduce), of the device, of the abort.
 Result<double> admitHeat(devices::Device& device, const ProcedureObserver& observer, double meanSquare_A2,

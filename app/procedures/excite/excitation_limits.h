@@ -17,7 +17,7 @@ std::vector<devices::GuardLimit> excitationLimits(const devices::Catalogue& cata
                                                   std::optional<double> positionWindow = std::nullopt,
                                                   const devices::AxisSpec& axis = {});
 
-/// What is measured and, behind it, what those limits watch besides.
+/// Signals of a measurement and, behind them, those that its limits watch.
 std::vector<std::string> withWatchedSignals(const devices::Catalogue& catalogue,
                                             std::vector<std::string> measured);
 

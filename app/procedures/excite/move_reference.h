@@ -51,7 +51,8 @@ Result<MoveReference::Shape> moveShape(std::string_view name);
 Result<void> setMoveReference(MoveReference& reference, std::string_view key, double value);
 /// "step,amplitude_deg=100" of the command line. Errors: as above, InvalidInput.
 Result<MoveReference> parseMoveReference(const std::string& text);
-/// What the shape needs and does not have, e.g. a sine without a frequency. Errors: InvalidInput, OutOfRange.
+/// Checks a reference: a figure that its shape needs and does not have, e.g. a sine without a frequency.
+/// Errors: InvalidInput, OutOfRange.
 Result<void> checkMoveReference(const MoveReference& reference);
 /// An angle for an axis that moves along a line, or a length for one that turns. Error: InvalidInput.
 Result<void> checkQuantity(const MoveReference& reference, const devices::AxisSpec& axis);

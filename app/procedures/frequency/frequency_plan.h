@@ -35,7 +35,7 @@ struct FrequencyPlan {
     double duration_s() const;
 };
 
-/// What decides how strongly a motor may be excited.
+/// Limits of the excitation of a motor: its loop, its law and roughly its plant.
 struct FrequencyMargins {
     double period_s = 0.01;            ///< of the position loop
     control::SampledPositionLaw law;   ///< as it runs on the board
