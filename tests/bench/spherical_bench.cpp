@@ -2,10 +2,10 @@
 // placement against what a user waits for.
 #include "control/base/units.h"
 #include "models/spherical/additive_inverse.h"
-#include "models/spherical/coverage_map.h"
+#include "models/spherical/coverage/coverage_map.h"
+#include "models/spherical/coverage/placement_search.h"
 #include "models/spherical/orientation.h"
 #include "models/spherical/orientation_estimator.h"
-#include "models/spherical/placement_search.h"
 #include "models/spherical/swarm_estimator.h"
 #include "tests/bench/goal.h"
 

@@ -1,4 +1,4 @@
-#include "models/spherical/placement_search.h"
+#include "models/spherical/coverage/placement_search.h"
 #include "tests/models/spherical/orientation_cases.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/spherical/coverage_map.h"
+#include "models/spherical/coverage/coverage_map.h"
 
 namespace halbench::models {
 

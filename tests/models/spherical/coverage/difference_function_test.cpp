@@ -1,4 +1,4 @@
-#include "tests/models/spherical/difference_table.h"
+#include "tests/models/spherical/coverage/difference_table.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
-#include "models/spherical/placement_search.h"
+#include "models/spherical/coverage/placement_search.h"
 
 #include "control/base/units.h"
-#include "models/spherical/difference_function.h"
-#include "models/spherical/placement_pairs.h"
+#include "models/spherical/coverage/difference_function.h"
+#include "models/spherical/coverage/placement_pairs.h"
 #include "models/spherical/tensor_rotation.h"
 #include "models/spherical/tensor_system.h"
 

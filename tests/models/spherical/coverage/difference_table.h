@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/spherical/difference_function.h"
+#include "models/spherical/coverage/difference_function.h"
 #include "tests/models/spherical/orientation_cases.h"
 
 #include <vector>

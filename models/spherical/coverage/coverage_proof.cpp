@@ -1,4 +1,4 @@
-#include "models/spherical/coverage_proof.h"
+#include "models/spherical/coverage/coverage_proof.h"
 
 #include <queue>
 

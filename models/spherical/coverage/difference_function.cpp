@@ -1,4 +1,4 @@
-#include "models/spherical/difference_function.h"
+#include "models/spherical/coverage/difference_function.h"
 
 #include "control/base/assert.h"
 #include "control/base/units.h"

@@ -1,4 +1,4 @@
-#include "models/spherical/parallel_work.h"
+#include "models/spherical/coverage/parallel_work.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "models/spherical/coverage_model.h"
-#include "models/spherical/parallel_work.h"
+#include "models/spherical/coverage/coverage_model.h"
+#include "models/spherical/coverage/parallel_work.h"
 
 #include <array>
 #include <cstdint>

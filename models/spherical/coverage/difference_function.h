@@ -1,7 +1,7 @@
 #pragma once
 
-#include "models/spherical/coverage_map.h"
-#include "models/spherical/placed_sensor.h"
+#include "models/spherical/coverage/coverage_map.h"
+#include "models/spherical/coverage/placed_sensor.h"
 
 #include <array>
 #include <string_view>

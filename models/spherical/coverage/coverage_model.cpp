@@ -1,4 +1,4 @@
-#include "models/spherical/coverage_model.h"
+#include "models/spherical/coverage/coverage_model.h"
 
 #include "control/base/assert.h"
 #include "control/base/units.h"

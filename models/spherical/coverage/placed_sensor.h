@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/spherical/coverage_model.h"
+#include "models/spherical/coverage/coverage_model.h"
 #include "models/spherical/spherical_parameters.h"
 
 namespace halbench::models {

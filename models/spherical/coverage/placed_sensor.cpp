@@ -1,4 +1,4 @@
-#include "models/spherical/placed_sensor.h"
+#include "models/spherical/coverage/placed_sensor.h"
 
 #include "control/base/units.h"
 

@@ -1,4 +1,4 @@
-#include "models/spherical/coverage_map.h"
+#include "models/spherical/coverage/coverage_map.h"
 
 #include "control/base/units.h"
 

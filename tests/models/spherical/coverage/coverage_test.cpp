@@ -1,5 +1,5 @@
-#include "models/spherical/coverage_map.h"
-#include "models/spherical/coverage_proof.h"
+#include "models/spherical/coverage/coverage_map.h"
+#include "models/spherical/coverage/coverage_proof.h"
 #include "models/spherical/orientation_estimator.h"
 #include "tests/models/spherical/orientation_cases.h"
 

@@ -1,4 +1,4 @@
-#include "models/spherical/placement_pairs.h"
+#include "models/spherical/coverage/placement_pairs.h"
 
 #include "control/base/units.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "models/spherical/coverage_proof.h"
-#include "models/spherical/placed_sensor.h"
+#include "models/spherical/coverage/coverage_proof.h"
+#include "models/spherical/coverage/placed_sensor.h"
 
 #include <string_view>
 #include <vector>
