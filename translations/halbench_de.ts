@@ -8517,6 +8517,18 @@ Firmware %2</translation>
 <context>
     <name>halbench::app::DisplayQuantity</name>
     <message>
+        <source>torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
         <source>angle</source>
         <translation>Winkel</translation>
     </message>
@@ -8809,7 +8821,7 @@ Firmware %2</translation>
     <name>halbench::app::DrivePanel</name>
     <message>
         <source>Drive it from the command line. STOP, Signals, Parameters and Record work here.</source>
-        <translation>Auf der Kommandozeile bewegen. STOP, Signale, Parameter und Aufzeichnen gehen hier.</translation>
+        <translation>Auf der Kommandozeile bewegen. STOPP, Signale, Parameter und Aufzeichnen gehen hier.</translation>
     </message>
     <message>
         <source>This device has several axes: it is not armed or driven from here.</source>

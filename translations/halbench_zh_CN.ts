@@ -8512,6 +8512,18 @@ Firmware %2</source>
 <context>
     <name>halbench::app::DisplayQuantity</name>
     <message>
+        <source>torque</source>
+        <translation>转矩</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>力</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
         <source>angle</source>
         <translation>角度</translation>
     </message>

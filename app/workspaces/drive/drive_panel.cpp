@@ -237,7 +237,8 @@ void DrivePanel::refreshState() {
         state = driven.isEmpty() ? tr("Armed") : tr("Armed, %1").arg(driven);
         role = widgets::Role::Armed;
     } else if (isConnected) {
-        state = m_control.canDrive() ? tr("Disarmed") : tr("Not known");
+        const bool isKnown = m_control.canDrive() || m_control.hasSeveralAxes(); // the board says it
+        state = isKnown ? tr("Disarmed") : tr("Not known");
     }
     m_state->setWords(state);
     m_state->setAccessibleName(tr("State: %1").arg(state));

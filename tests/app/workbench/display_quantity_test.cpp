@@ -36,5 +36,16 @@ TEST(DisplayQuantity, whatNobodyChoosesStaysAsItIs) {
     EXPECT_DOUBLE_EQ(displayQuantity("T", {}).factor * 0.157, 157.0);
 }
 
+// A platen's steps of micrometres keep a digit: 1.2345 mm, not 0.0012 m.
+TEST(DisplayQuantity, lengthsAndForcesOfAPlatenKeepTheirDigits) {
+    const DisplayQuantity length = displayQuantity("m", {});
+    EXPECT_EQ(length.unit, "mm");
+    EXPECT_DOUBLE_EQ(length.factor * 1.2345e-3, 1.2345);
+    EXPECT_EQ(length.decimals, 4);
+    EXPECT_EQ(displayQuantity("m/s", {}).unit, "mm/s");
+    EXPECT_DOUBLE_EQ(displayQuantity("N*m", {}).factor * 2e-3, 2.0);
+    EXPECT_EQ(displayQuantity("N", {}).factor, 1.0);
+}
+
 } // namespace
 } // namespace halbench::app

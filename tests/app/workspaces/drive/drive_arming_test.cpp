@@ -1,4 +1,5 @@
 #include "tests/app/workspaces/drive/drive_panel_fixture.h"
+#include "widgets/controls/elided_label.h"
 
 namespace halbench::app {
 namespace {
@@ -24,6 +25,8 @@ TEST_F(DriveArmingTest, aDeviceOfSeveralAxesIsNotArmedHereAndThatIsSaid) {
     auto* message = panel->findChild<widgets::MessageBar*>();
     ASSERT_TRUE(wait([&] { return message->message().text.contains("several axes"); }));
     EXPECT_TRUE(message->message().remedy.contains("command line"));
+    EXPECT_TRUE(wait(
+        [&] { return panel->findChild<widgets::ElidedLabel*>()->accessibleName().contains("Disarmed"); }));
     EXPECT_FALSE(bench().drive().canArm());
     EXPECT_FALSE(find<QPushButton>(*panel, "Arm")->isEnabled());
     EXPECT_FALSE(find<QPushButton>(*panel, "Start")->isEnabled());
