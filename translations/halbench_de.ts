@@ -8517,6 +8517,10 @@ Firmware %2</translation>
 <context>
     <name>halbench::app::DisplayQuantity</name>
     <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
         <source>torque</source>
         <translation>Drehmoment</translation>
     </message>

@@ -8512,6 +8512,10 @@ Firmware %2</source>
 <context>
     <name>halbench::app::DisplayQuantity</name>
     <message>
+        <source>velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
         <source>torque</source>
         <translation>转矩</translation>
     </message>

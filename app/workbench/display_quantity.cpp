@@ -37,7 +37,7 @@ constexpr Row Rows[] = {
     {"A", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "current"), "A", 1.0, 3, 9.0},
     {"T", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "field"), "mT", 1000.0, 2, 999.0},
     {"m", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "length"), "mm", 1000.0, 4, 99.0},
-    {"m/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "speed"), "mm/s", 1000.0, 2, 999.0},
+    {"m/s", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "velocity"), "mm/s", 1000.0, 2, 999.0},
     {"N", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "force"), "N", 1.0, 3, 99.0},
     {"N*m", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "torque"), "mN\u00b7m", 1000.0, 3, 99.0},
     {"degC", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "temperature"), "\u00b0C", 1.0, 1, 999.0},

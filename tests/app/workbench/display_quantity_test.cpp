@@ -43,6 +43,7 @@ TEST(DisplayQuantity, lengthsAndForcesOfAPlatenKeepTheirDigits) {
     EXPECT_DOUBLE_EQ(length.factor * 1.2345e-3, 1.2345);
     EXPECT_EQ(length.decimals, 4);
     EXPECT_EQ(displayQuantity("m/s", {}).unit, "mm/s");
+    EXPECT_EQ(displayQuantity("m/s", {}).quantity, "velocity");
     EXPECT_DOUBLE_EQ(displayQuantity("N*m", {}).factor * 2e-3, 2.0);
     EXPECT_EQ(displayQuantity("N", {}).factor, 1.0);
 }
