@@ -12,6 +12,7 @@ struct AxisRoles {
     std::string speed = "speed";
     std::string reference = "reference";
     std::string effort = "current_command";
+    std::string command; ///< of law and excitation, before limit and delay; few boards tell it
     std::string truePosition = "truth.position"; ///< of a simulated device
     std::string positionWindow = "window.position";
     std::string speedWindow = "window.speed";
@@ -31,6 +32,9 @@ struct AxisSpec {
     double settle_s = 0.05;                  ///< from arming to rest
     double referenceTolerance = 1e-4;        ///< resolution of the board's reference
     double endTolerance = 20.0 * Pi / 180.0; ///< a rest this far from the reference needs no finding
+    double designFrequency_rad_s = 0.0; ///< of a recommended loop; 0: as fast as its delays allow at ease
+    double testStep = 0.0;              ///< that proves a loop; 0: half a radian
+    double effortLimit = 0.0; ///< available everywhere at the board's largest current "I_max"; 0: not known
 };
 
 } // namespace halbench::devices

@@ -69,6 +69,7 @@ struct LinkStatistics {
     std::uint64_t packetsReceived = 0;
     std::uint64_t packetsSent = 0;
     std::uint64_t packetsLost = 0; ///< counter gaps
+    std::uint64_t packetsLate = 0; ///< of those, what came behind a later one and was dropped
     std::uint64_t packetsDamaged = 0;
     std::uint64_t commandsRepeated = 0;
     double roundTripMedian_s = 0.0;

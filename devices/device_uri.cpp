@@ -79,7 +79,7 @@ Result<void> readOption(DeviceUri& uri, std::size_t begin, std::size_t end) {
     }
     std::string key = uri.text.substr(begin, equals - begin);
     if (uri.option(key)) {
-        return wrongAt(uri.text, begin, fmt::format("'{}' is given twice", key), "give each key once");
+        return wrongAt(uri.text, begin, fmt::format("'{}' is given twice", key), "give each key only once");
     }
     uri.options.emplace_back(std::move(key), uri.text.substr(equals + 1, end - equals - 1));
     return {};
@@ -156,8 +156,8 @@ Result<std::string> withDescription(const std::string& address, const std::strin
     }
     if (uri->scheme == "sim" || uri->scheme == "replay") {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("device '{}' describes itself and takes no file", address),
-                       "name the port of the board first, like tcp:HOST:PORT");
+                       fmt::format("device '{}' has a built-in description and does not use a file", address),
+                       "give the port of the device first, e.g. tcp:HOST:PORT");
     }
     (void)uri->takeOption("a2l");
     std::string file;

@@ -167,7 +167,7 @@ Result<Profile> parseProfile(const std::string& json, const std::string& origin)
     const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(json), &error);
     if (error.error != QJsonParseError::NoError) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("{}: octet {}: {}", origin, error.offset, text(error.errorString())),
+                       fmt::format("{}: byte {}: {}", origin, error.offset, text(error.errorString())),
                        "correct the JSON");
     }
     if (!document.isObject()) {

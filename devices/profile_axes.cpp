@@ -35,17 +35,22 @@ constexpr std::array Numbers = {NumberKey{"window_margin", &AxisSpec::windowMarg
                                 NumberKey{"settle_s", &AxisSpec::settle_s},
                                 NumberKey{"reference_tolerance", &AxisSpec::referenceTolerance},
                                 NumberKey{"end_tolerance", &AxisSpec::endTolerance}};
+constexpr std::array OptionalNumbers = {NumberKey{"design_frequency_rad_s", &AxisSpec::designFrequency_rad_s},
+                                        NumberKey{"test_step", &AxisSpec::testStep},
+                                        NumberKey{"effort_limit", &AxisSpec::effortLimit}};
 
 struct RoleKey {
     const char* key;
     std::string AxisRoles::*role;
     Roles Profile::*known;
+    bool isOptional = false;
 };
 constexpr std::array RoleKeys = {
     RoleKey{"position", &AxisRoles::position, &Profile::signalRoles},
     RoleKey{"speed", &AxisRoles::speed, &Profile::signalRoles},
     RoleKey{"reference", &AxisRoles::reference, &Profile::signalRoles},
     RoleKey{"effort", &AxisRoles::effort, &Profile::signalRoles},
+    RoleKey{"command", &AxisRoles::command, &Profile::signalRoles, true},
     RoleKey{"true_position", &AxisRoles::truePosition, &Profile::signalRoles},
     RoleKey{"position_window", &AxisRoles::positionWindow, &Profile::parameterRoles},
     RoleKey{"speed_window", &AxisRoles::speedWindow, &Profile::parameterRoles}};
@@ -66,13 +71,19 @@ public:
             const auto isKey = [&key](const auto& known) { return key == known.key; };
             return key == "roles" || key == "turns_forever" ||
                    std::any_of(Texts.begin(), Texts.end(), isKey) ||
-                   std::any_of(Numbers.begin(), Numbers.end(), isKey);
+                   std::any_of(Numbers.begin(), Numbers.end(), isKey) ||
+                   std::any_of(OptionalNumbers.begin(), OptionalNumbers.end(), isKey);
         });
         for (const TextKey& key : Texts) {
             axis.*key.text = textOf(m_object, key.key, "");
         }
         for (const NumberKey& key : Numbers) {
             axis.*key.number = positive(key.key);
+        }
+        for (const NumberKey& key : OptionalNumbers) {
+            if (m_object.contains(QLatin1String(key.key))) {
+                axis.*key.number = positive(key.key);
+            }
         }
         const QJsonValue turns = m_object.value(QLatin1String("turns_forever"));
         if (!turns.isBool()) {
@@ -132,6 +143,9 @@ private:
                                [&key](const RoleKey& known) { return key == known.key; });
         });
         for (const RoleKey& key : RoleKeys) {
+            if (key.isOptional && !object.contains(QLatin1String(key.key))) {
+                continue;
+            }
             roles.*key.role = textOf(object, key.key, ".roles");
             if (!(m_profile.*key.known).contains(roles.*key.role)) {
                 fail(fmt::format(".roles.{}", key.key), "must be a role of this profile");

@@ -4,6 +4,13 @@
 <context>
     <name>halbench::app::ConfigurationPanel</name>
     <message numerus="yes">
+        <source>%n row(s) not restored; see the rows for the cause.</source>
+        <translation>
+            <numerusform>%n row not restored; see the row for the cause.</numerusform>
+            <numerusform>%n rows not restored; see the rows for the cause.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Restore %n row(s)</source>
         <translation>
             <numerusform>Restore %n row</numerusform>
@@ -18,13 +25,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n row(s) not restored; the rows say why.</source>
-        <translation>
-            <numerusform>%n row not restored; the row says why.</numerusform>
-            <numerusform>%n rows not restored; the rows say why.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n row(s) restored and read back.</source>
         <translation>
             <numerusform>%n row restored and read back.</numerusform>
@@ -35,30 +35,30 @@
 <context>
     <name>halbench::app::DeviceSession</name>
     <message numerus="yes">
-        <source>%Ln row(s) came faster than the window could show them and are not drawn</source>
+        <source>%Ln sample(s) not shown: rate too high for the window</source>
         <translation>
-            <numerusform>%Ln row came faster than the window could show it and is not drawn</numerusform>
-            <numerusform>%Ln rows came faster than the window could show them and are not drawn</numerusform>
+            <numerusform>%Ln sample not shown: rate too high for the window</numerusform>
+            <numerusform>%Ln samples not shown: rate too high for the window</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>halbench::app::MainWindow</name>
     <message numerus="yes">
-        <source>%n recording(s) of %1 are beyond the limits of the preferences and stay for now.</source>
+        <source>%n recording(s) of %1 exceed the limits in the preferences and are kept for now.</source>
         <translation>
-            <numerusform>%n recording of %1 is beyond the limits of the preferences and stays for now.</numerusform>
-            <numerusform>%n recordings of %1 are beyond the limits of the preferences and stay for now.</numerusform>
+            <numerusform>%n recording of %1 exceeds the limits in the preferences and is kept for now.</numerusform>
+            <numerusform>%n recordings of %1 exceed the limits in the preferences and are kept for now.</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>halbench::app::MonitorRecording</name>
     <message numerus="yes">
-        <source>%n signal(s), %1 Hz, rows lost: %2</source>
+        <source>%n signal(s), %1 Hz, samples lost: %2</source>
         <translation>
-            <numerusform>%n signal, %1 Hz, rows lost: %2</numerusform>
-            <numerusform>%n signals, %1 Hz, rows lost: %2</numerusform>
+            <numerusform>%n signal, %1 Hz, samples lost: %2</numerusform>
+            <numerusform>%n signals, %1 Hz, samples lost: %2</numerusform>
         </translation>
     </message>
 </context>
@@ -85,17 +85,17 @@
 <context>
     <name>halbench::app::RecordingFields</name>
     <message numerus="yes">
+        <source>OK moves %n recording(s) to the trash now (%1), from %2.</source>
+        <translation>
+            <numerusform>OK moves %n recording to the trash now (%1), from %2.</numerusform>
+            <numerusform>OK moves %n recordings to the trash now (%1), from %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>and %n more</source>
         <translation>
             <numerusform>and %n more</numerusform>
             <numerusform>and %n more</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>With OK %n recording(s) go to the trash now (%1), from %2.</source>
-        <translation>
-            <numerusform>With OK %n recording goes to the trash now (%1), from %2.</numerusform>
-            <numerusform>With OK %n recordings go to the trash now (%1), from %2.</numerusform>
         </translation>
     </message>
 </context>
@@ -106,6 +106,16 @@
         <translation>
             <numerusform>%Ln average</numerusform>
             <numerusform>%Ln averages</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::TunePanel</name>
+    <message numerus="yes">
+        <source>%n control loop(s), no identification procedure. Edit the gains in Parameters and check them with a reference in Drive.</source>
+        <translation>
+            <numerusform>%n control loop, no identification procedure. Edit the gains in Parameters and check them with a reference in Drive.</numerusform>
+            <numerusform>%n control loops, no identification procedure. Edit the gains in Parameters and check them with a reference in Drive.</numerusform>
         </translation>
     </message>
 </context>

@@ -100,11 +100,19 @@ void addMovingCommands(CLI::App& app, CommandOptions& options) {
         ->type_name("FOLDER/MASK");
     CLI::App* move = addCommand(app, "move", "Follow a reference and measure how well");
     addDevice(move, options);
-    move->add_option("--reference", options.reference, "step,amplitude_deg=100 ...")
+    move->add_option(
+            "--reference", options.reference,
+            "step,amplitude_deg=100; s-curve,amplitude_mm=5,rate_mm_s=50,...; circle; raster; rest ...")
         ->required()
         ->type_name("SHAPE,KEY=VALUE...");
-    move->add_option("--axis", options.axis, "Which axis moves, on a device with several")->type_name("NAME");
-    move->add_option("--duration", options.duration, "Seconds")->required()->type_name("S");
+    move->add_option("--axis", options.axis,
+                     "Which axis moves, on a device with several; all: one after the other")
+        ->type_name("NAME|all");
+    move->add_option("--model", options.model, "Model of the axes: the move is predicted too")
+        ->type_name("MODEL.json");
+    move->add_option("--duration", options.duration,
+                     "Seconds; default of trapezoid, s-curve, circle, raster: the travel and 1 s of rest")
+        ->type_name("S");
     addRecordingOut(move, "--out", options.out, "Recording");
 }
 
@@ -119,15 +127,23 @@ void addFrequency(CLI::App* identify, CommandOptions& options) {
     identify->add_flag("--frequency", options.isFrequency,
                        "Measure the frequency response instead: plant, loops, margins");
     identify->add_option("--excitation", options.excitation, "multisine (default), stepped-sine or chirp");
-    identify->add_option("--from-hz", options.fromFrequency, "Lowest frequency, default 0.5")
+    identify
+        ->add_option("--from-hz", options.fromFrequency, "Lowest frequency, default 0.5, of several axes 1")
         ->type_name("HZ");
-    identify->add_option("--to-hz", options.toFrequency, "Highest frequency, default 40")->type_name("HZ");
+    identify->add_option("--to-hz", options.toFrequency, "Highest frequency, default 40, of several axes 50")
+        ->type_name("HZ");
     identify->add_option("--base-rad-s", options.base, "Constant speed below the excitation, default 5")
         ->type_name("RAD_S");
     identify
         ->add_option("--amplitude-deg", options.amplitude, "Of a sine of the same rms; default: what is safe")
         ->type_name("DEG");
-    identify->add_option("--periods", options.periods, "That are averaged, 4 to 64, default 8")
+    identify
+        ->add_option("--effort-ratio", options.effortRatio,
+                     "Of several axes: amplitude over the effort that each has, default 0.25")
+        ->type_name("RATIO");
+    identify
+        ->add_option("--periods", options.periods,
+                     "That are averaged, 4 to 64, default 8; of several axes 4 to 256, default 24")
         ->type_name("N");
     identify->add_option("--coherence", options.coherence, "Least of a point that is used, default 0.9")
         ->type_name("RATIO");
@@ -155,14 +171,19 @@ void addRelay(CLI::App* identify, CommandOptions& options) {
 
 void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
     CLI::App* calibrate = addCommand(app, "calibrate", "Calibrate the sensors");
-    addDevice(calibrate, options);
+    calibrate->add_option("DEVICE|FILE.csv", options.device, "Device, or recording of one that senses")
+        ->required();
     calibrate->add_option("WHAT", options.what, "hall, stray, static-friction or all")->required();
     calibrate->add_flag("--apply", options.isApplied, "Write the result to the device");
     calibrate->add_option("--out", options.out, "Result")->type_name("CAL.json");
     CLI::App* identify =
         addCommand(app, "identify", "Identify friction, damping, torque constant and inertia");
     identify->add_option("DEVICE|FILE.csv", options.device, "Device or recording")->required();
-    identify->add_option("--given", options.given, "Known constant: J, c, Kf or phi in SI; repeatable")
+    identify->add_option("--axis", options.axis, "Axis of a device with several, or all; default all")
+        ->type_name("NAME");
+    identify
+        ->add_option("--given", options.given,
+                     "Known constant in SI: J, c, Kf or phi of a motor, m or Iz of a platen; repeatable")
         ->take_all()
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
@@ -181,6 +202,11 @@ void addIdentifyingCommands(CLI::App& app, CommandOptions& options) {
 
 void addCode(CLI::App* command, CommandOptions& options) {
     command->add_option("--code", options.codeFile, "The law for another controller")->type_name("LAW.c");
+}
+
+void addAxis(CLI::App* command, CommandOptions& options) {
+    command->add_option("--axis", options.axis, "Of a model with several axes; default all")
+        ->type_name("NAME|all");
 }
 
 /// What tune and analyse have in common: how a judged loop is shown.
@@ -229,11 +255,13 @@ void addTuningCommands(CLI::App& app, CommandOptions& options) {
         ->take_all()
         ->allow_extra_args(false)
         ->type_name("NAME=VALUE");
+    addAxis(tune, options);
     tune->add_option("--out", options.out, "Gains")->type_name("GAINS.json");
     addLoopOutputs(tune, options);
     CLI::App* analyse = addCommand(app, "analyse", "Margins and step response of a model with gains");
     analyse->add_option("MODEL.json", options.device, "Identified model")->required();
     analyse->add_option("GAINS.json", options.gainsFile, "Gains")->required();
+    addAxis(analyse, options);
     addCalibration(analyse, options);
     analyse->add_option("--bode", options.bodeFile, "Open loop, frequency response")->type_name("F.csv");
     analyse->add_option("--step", options.stepFile, "Closed loop, step response")->type_name("F.csv");
@@ -283,6 +311,7 @@ void addFileCommands(CLI::App& app, CommandOptions& options) {
     run->add_option("--out", options.out, "Folder of the results")->type_name("DIR");
     addServe(app, options);
     addRecordingCommands(app, options);
+    addAnalysisCommands(app, options);
 }
 
 Result<GlobalOptions> globalsFrom(const RawGlobals& raw, ConsoleStyle style) {

@@ -3,8 +3,12 @@
 #include "app/documents/configuration_comparison.h"
 #include "app/documents/result_header.h"
 #include "app/documents/text/output_file.h"
+#include "devices/device_uri.h"
+#include "devices/formats/recording_file.h"
 
 #include <fmt/format.h>
+
+#include <filesystem>
 
 namespace halbench::app {
 
@@ -23,6 +27,16 @@ Result<void> deliver(CommandContext& context, const JsonValue& document, const s
         context.console.print(text);
     }
     return context.console.printDocument(document);
+}
+
+std::optional<std::string> recordingPath(const std::string& text) {
+    const Result<devices::DeviceUri> uri = devices::parseDeviceUri(text);
+    if (!uri) {
+        const bool isFile =
+            std::filesystem::path(text).extension() == ".csv" || devices::isMdf4Recording(text);
+        return isFile ? std::optional<std::string>(text) : std::nullopt;
+    }
+    return uri->scheme == "replay" ? std::optional<std::string>(uri->address) : std::nullopt;
 }
 
 ExitCode exitCodeFor(const DataQuality& quality) {

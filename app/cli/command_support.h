@@ -1,12 +1,13 @@
 #pragma once
 
+#include "app/actuators/actuator.h"
 #include "app/cli/commands.h"
 #include "app/documents/text/result_text.h"
-#include "app/procedures/identify/identify_procedure.h"
 #include "devices/acquisition/derived_signals.h"
 
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,9 @@ Result<void> backUp(CommandContext& context, devices::Device& device);
 /// --save needs a device that has something to store in. Error: Usage.
 Result<void> checkStore(const CommandOptions& options, const devices::Device& device);
 
+/// FILE.csv, FILE.mf4 or replay:FILE; nothing for a device.
+std::optional<std::string> recordingPath(const std::string& text);
+
 /// Exit code of an estimate: 1 when it was refused.
 ExitCode exitCodeFor(const DataQuality& quality);
 
@@ -38,12 +42,13 @@ struct NamedOption {
 /// The first that is given is refused. Error: Usage.
 Result<void> refuseGiven(std::initializer_list<NamedOption> options, const char* message, const char* hint);
 
-/// The sweep, directions and given constants of `identify` as written on the command line.
-/// Errors: Usage, UnknownName, NotFinite, OutOfRange, naming the option; FileSystem, InvalidInput of --bare.
-Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options);
+/// The sweep, directions and given constants of `identify` as written on the command line, for the actuator
+/// that is identified. Errors: Usage, UnknownName, NotFinite, OutOfRange, naming the option; FileSystem,
+/// InvalidInput of --bare.
+Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options, const Actuator& actuator);
 /// The signals of --derive. Errors: InvalidInput, naming the option.
 Result<std::vector<devices::DerivedSignal>> derivedOption(const std::vector<std::string>& texts);
 
-std::string identificationText(const IdentifyResult& result);
+std::string identificationText(const IdentifyOutcome& outcome);
 
 } // namespace halbench::app

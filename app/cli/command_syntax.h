@@ -17,4 +17,7 @@ CLI::Option* addRecordingOut(CLI::App* command, const char* name, std::string& p
 /// Commands that work on recordings: convert, spectrum, plot, import, recordings, overlay.
 void addRecordingCommands(CLI::App& app, CommandOptions& options);
 
+/// The commands of the table of analyses, with their keys as options.
+void addAnalysisCommands(CLI::App& app, CommandOptions& options);
+
 } // namespace halbench::app

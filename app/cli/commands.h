@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/analyses/analysis.h"
 #include "app/headless/command_context.h"
 
 namespace halbench::app {
@@ -25,5 +26,7 @@ CommandResult runRecordingsCommand(CommandContext& context, const CommandOptions
 CommandResult runRetentionCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runOverlayCommand(CommandContext& context, const CommandOptions& options);
 CommandResult runServeCommand(CommandContext& context, const CommandOptions& options);
+CommandResult runAnalysisCommand(CommandContext& context, const Analysis& analysis,
+                                 const CommandOptions& options);
 
 } // namespace halbench::app

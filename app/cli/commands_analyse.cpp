@@ -1,10 +1,11 @@
+#include "app/cli/axis_tuning.h"
 #include "app/cli/command_support.h"
 #include "app/cli/judgement_text.h"
 #include "app/cli/loop_pictures.h"
+#include "app/documents/filtered_gains.h"
 #include "app/documents/law_code.h"
 #include "app/documents/model_file.h"
 #include "app/documents/result_documents.h"
-#include "app/documents/shaped_gains.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
 #include "app/headless/command_header.h"
@@ -132,7 +133,7 @@ Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopCon
 /// the model knows which one its board has.
 Result<ComparedLoop> analyseGains(const std::string& path, const ModelFile& model,
                                   LoopConditions conditions) {
-    Result<GainsFile> file = readShapedGains(path);
+    Result<GainsFile> file = readFilteredGains(path);
     if (!file) {
         return failure(file.error());
     }
@@ -189,7 +190,8 @@ Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step
     const double end_s = rows > 0 ? step.time_s.back() : 0.0;
     const LoopLaw law = loop.gains.loopLaw();
     const auto answer = stepBandOf(motors, law, loop.gains.timing, 1.0, {end_s, step.pointsPerSample});
-    const auto under = loadBandOf(motors, law, loop.gains.timing, load_A, {end_s, step.pointsPerSample});
+    const auto under =
+        disturbanceEnvelopeOf(motors, law, loop.gains.timing, load_A, {end_s, step.pointsPerSample});
     const auto response = columnsOf(answer ? answer->response_rad : control::Band{}, rows);
     const auto angle = columnsOf(under ? under->angle_rad : control::Band{}, rows);
     return writeColumns(path,
@@ -294,6 +296,16 @@ bool isAnyRefused(const std::vector<ComparedLoop>& loops) {
 } // namespace
 
 CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options) {
+    const auto axes = axisModelIn(options.device);
+    if (!axes) {
+        return failure(axes.error());
+    }
+    if (*axes) {
+        return analyseAxesOf(context, options, **axes);
+    }
+    if (const Result<void> fits = refuseAxis(options); !fits) {
+        return failure(fits.error());
+    }
     const Result<ModelFile> model = readModelFile(options.device);
     if (!model) {
         return failure(model.error());
@@ -327,7 +339,7 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     std::string text = analysisText(own.result) + proofLines(*judged) + cycleLines(*judged) +
                        disturbanceLines(*judged) + intervalLines(judged->robust) +
                        loopFindingLines(own.result.quality, false);
-    text += own.gains.shaped ? shapingLines(*own.gains.shaped) : std::string();
+    text += own.gains.filtered ? shapingLines(*own.gains.filtered) : std::string();
     if (loops->size() > 1) {
         document.set("compared", comparedLoops({loops->begin() + 1, loops->end()}));
         text += comparisonTable(*loops);

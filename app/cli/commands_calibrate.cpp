@@ -1,10 +1,16 @@
+#include "app/actuators/actuator.h"
 #include "app/cli/command_support.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/procedure_choices.h"
 #include "app/headless/command_header.h"
+#include "app/headless/recording_integrity.h"
+#include "devices/formats/recording_file.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
 
 namespace halbench::app {
 
@@ -22,12 +28,67 @@ std::string calibrationText(const CalibrateResult& result) {
     return text + findingLines(result.quality);
 }
 
+const Actuator* actuatorOfRecording(const devices::RecordedFile& file) {
+    const std::span<const Actuator> rows = actuators();
+    // Without a sidecar the columns decide; the first that takes recordings says which are missing.
+    const auto found = std::find_if(rows.begin(), rows.end(), [&file](const Actuator& row) {
+        return row.calibrateRecording != nullptr && (!file.hasMeta || row.model == file.meta.device.model);
+    });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+CommandResult calibrateFile(CommandContext& context, const CommandOptions& options,
+                            const std::vector<Calibration>& which, const std::string& path) {
+    if (options.isApplied) {
+        return failure(ErrorCode::Usage, "a recording has no device to write to",
+                       "leave --apply out, or calibrate the device itself");
+    }
+    const auto isInterrupted = [&context] { return checkInterrupt(context); };
+    const Result<devices::RecordedFile> file = devices::readRecordingFile(path, isInterrupted);
+    if (!file) {
+        return failure(file.error());
+    }
+    sayWarnings(context, file->warnings);
+    const Actuator* actuator = actuatorOfRecording(*file);
+    if (actuator == nullptr) {
+        return failure(ErrorCode::Usage,
+                       fmt::format("{}: a {} is calibrated on the device, not from a recording", path,
+                                   file->meta.device.model),
+                       "name the device instead");
+    }
+    ResultHeader header = headerFor(context, "halbench.calibration/1");
+    std::vector<ParameterValue> noted;
+    if (file->hasMeta) {
+        header.device = file->meta.device;
+        header.started = file->meta.started;
+        for (const devices::RecordingMeta::ParameterNote& note : file->meta.parameters) {
+            noted.push_back({note.name, note.value});
+        }
+    }
+    CalibrateConfig config;
+    config.which = which;
+    Result<CalibrateResult> result =
+        actuator->calibrateRecording(file->recording, noted, config, isInterrupted);
+    if (!result) {
+        return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
+    }
+    noteWarnings(result->quality, file->warnings);
+    const JsonValue document = calibrationDocument(header, *result);
+    if (const Result<void> done = deliver(context, document, calibrationText(*result), options.out); !done) {
+        return failure(done.error());
+    }
+    return exitCodeFor(result->quality);
+}
+
 } // namespace
 
 CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions& options) {
     const Result<std::vector<Calibration>> which = calibrationsFrom(options.what);
     if (!which) {
         return failure(which.error());
+    }
+    if (const std::optional<std::string> path = recordingPath(options.device)) {
+        return calibrateFile(context, options, *which, *path);
     }
     const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
     if (!device) {
@@ -43,7 +104,8 @@ CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions&
     config.which = *which;
     config.apply = options.isApplied;
     config.seed = header.seed;
-    const Result<CalibrateResult> result = runCalibrate(**device, config, observerFor(context));
+    const CalibrateEntry& calibrate = actuatorOf((*device)->info().model).calibrate;
+    const Result<CalibrateResult> result = calibrate.run(**device, config, observerFor(context));
     if (!result) {
         return failure(result.error());
     }

@@ -3,8 +3,8 @@
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
-#include "app/headless/changed_recording.h"
 #include "app/headless/command_header.h"
+#include "app/headless/recording_integrity.h"
 #include "devices/formats/convert_recording.h"
 
 #include <fmt/format.h>

@@ -1,12 +1,13 @@
+#include "app/cli/command_output.h"
 #include "app/cli/command_support.h"
 #include "app/cli/frequency_options.h"
-#include "app/cli/kept_result.h"
 #include "app/documents/frequency_table.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
 #include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
+#include "app/procedures/base/axis_choice.h"
 #include "app/tuning/loop_conditions.h"
 #include "control/base/units.h"
 
@@ -18,24 +19,6 @@
 namespace halbench::app {
 
 namespace {
-
-/// One option that is a number and may be left out.
-struct NumberOption {
-    const char* option;
-    const std::string& text;
-    double& value;
-};
-
-Result<void> take(std::initializer_list<NumberOption> numbers) {
-    for (const NumberOption& number : numbers) {
-        const Result<std::optional<double>> given = optionalNumber(number.option, number.text);
-        if (!given) {
-            return failure(given.error());
-        }
-        number.value = given->value_or(number.value);
-    }
-    return {};
-}
 
 std::string marginLine(const char* name, const control::MeasuredMargin& margin, const char* unit) {
     if (!margin.value) {
@@ -62,21 +45,21 @@ std::string frequencyText(const FrequencyResult& result) {
     return text + findingLines(result.quality);
 }
 
-Result<void> writeFiles(const CommandOptions& options, const FrequencyResult& result, devices::Device& device,
-                        const std::string& started) {
+} // namespace
+
+Result<void> writeResponseFiles(const CommandOptions& options, const Recording& recording,
+                                const std::string& table, devices::Device& device,
+                                const std::string& started) {
     if (!options.recordFile.empty()) {
-        if (auto written = namingFile(options.recordFile, writeRecording(options.recordFile, result.recording,
-                                                                         device, {started, {}, {}}));
+        if (auto written = namingFile(
+                options.recordFile, writeRecording(options.recordFile, recording, device, {started, {}, {}}));
             !written) {
             return written;
         }
     }
-    return options.bodeFile.empty()
-               ? Result<void>()
-               : namingFile(options.bodeFile, writeFile(options.bodeFile, frequencyTable(result)));
+    return options.bodeFile.empty() ? Result<void>()
+                                    : namingFile(options.bodeFile, writeFile(options.bodeFile, table));
 }
-
-} // namespace
 
 Result<void> checkFrequencyOptions(const CommandOptions& options) {
     if (options.isFrequency) {
@@ -92,11 +75,31 @@ Result<void> checkFrequencyOptions(const CommandOptions& options) {
                         {"--to-hz", !options.toFrequency.empty()},
                         {"--base-rad-s", !options.base.empty()},
                         {"--amplitude-deg", !options.amplitude.empty()},
+                        {"--effort-ratio", !options.effortRatio.empty()},
                         {"--periods", !options.periods.empty()},
                         {"--coherence", !options.coherence.empty()},
                         {"--bode", !options.bodeFile.empty()},
                         {"--calibration", !options.calibrationFile.empty()}},
                        "belongs to a frequency response", "add --frequency");
+}
+
+Result<void> takeNumbers(std::initializer_list<NumberOption> numbers) {
+    for (const NumberOption& number : numbers) {
+        const Result<std::optional<double>> given = optionalNumber(number.option, number.text);
+        if (!given) {
+            return failure(given.error());
+        }
+        number.value = given->value_or(number.value);
+    }
+    return {};
+}
+
+Result<int> wholePeriods(double periods, const std::string& text) {
+    constexpr double Most = 1e6; // of an int, before the procedure judges it
+    if (periods != std::floor(periods) || std::abs(periods) > Most) {
+        return failure(ErrorCode::Usage, "--periods: '" + text + "' is no whole number", "write e.g. 8");
+    }
+    return static_cast<int>(periods);
 }
 
 Result<FrequencyConfig> frequencyConfigFrom(const CommandOptions& options) {
@@ -110,20 +113,19 @@ Result<FrequencyConfig> frequencyConfigFrom(const CommandOptions& options) {
     }
     double periods = config.periods;
     const Result<std::optional<double>> amplitude_deg = optionalNumber("--amplitude-deg", options.amplitude);
-    const Result<void> taken = take({{"--from-hz", options.fromFrequency, config.from_Hz},
-                                     {"--to-hz", options.toFrequency, config.to_Hz},
-                                     {"--base-rad-s", options.base, config.base_rad_s},
-                                     {"--periods", options.periods, periods},
-                                     {"--coherence", options.coherence, config.leastCoherence}});
+    const Result<void> taken = takeNumbers({{"--from-hz", options.fromFrequency, config.from_Hz},
+                                            {"--to-hz", options.toFrequency, config.to_Hz},
+                                            {"--base-rad-s", options.base, config.base_rad_s},
+                                            {"--periods", options.periods, periods},
+                                            {"--coherence", options.coherence, config.leastCoherence}});
     if (!taken || !amplitude_deg) {
         return failure(taken ? amplitude_deg.error() : taken.error());
     }
-    constexpr double Most = 1e6; // of an int, before the procedure judges it
-    if (periods != std::floor(periods) || std::abs(periods) > Most) {
-        return failure(ErrorCode::Usage, "--periods: '" + options.periods + "' is no whole number",
-                       "write e.g. 8");
+    const Result<int> whole = wholePeriods(periods, options.periods);
+    if (!whole) {
+        return failure(whole.error());
     }
-    config.periods = static_cast<int>(periods);
+    config.periods = *whole;
     if (*amplitude_deg) {
         config.amplitude_rad = degreesToRadians(**amplitude_deg);
     }
@@ -139,6 +141,18 @@ CommandResult runFrequencyCommand(CommandContext& context, const CommandOptions&
     if (!device) {
         return failure(device.error());
     }
+    if ((*device)->catalogue().axes.size() > 1) {
+        return runAxesFrequencyCommand(context, options, **device);
+    }
+    if (const Result<void> fits =
+            refuseGiven({{"--effort-ratio", !options.effortRatio.empty()}},
+                        "belongs to a device with several axes", "use --amplitude-deg here");
+        !fits) {
+        return failure(fits.error());
+    }
+    if (const auto axis = chosenAxes((*device)->catalogue(), options.axis); !axis) {
+        return failure(axis.error().code, "--axis: " + axis.error().message, axis.error().hint);
+    }
     Result<LoopConditions> conditions = loopConditionsOf(**device);
     if (!conditions) {
         return failure(conditions.error());
@@ -152,8 +166,9 @@ CommandResult runFrequencyCommand(CommandContext& context, const CommandOptions&
     if (!result) {
         return failure(result.error());
     }
-    const Result<void> files = writeFiles(options, *result, **device, header.started);
-    const KeptResult kept{frequencyDocument(header, *result), frequencyText(*result), options.out};
+    const Result<void> files =
+        writeResponseFiles(options, result->recording, frequencyTable(*result), **device, header.started);
+    const CommandOutput kept{frequencyDocument(header, *result), frequencyText(*result), options.out};
     if (!files) {
         return endWithResult(context, kept, files.error());
     }

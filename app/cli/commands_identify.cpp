@@ -1,47 +1,51 @@
+#include "app/actuators/actuator.h"
+#include "app/cli/command_output.h"
 #include "app/cli/command_support.h"
 #include "app/cli/frequency_options.h"
-#include "app/cli/kept_result.h"
 #include "app/cli/relay_options.h"
 #include "app/documents/result_documents.h"
-#include "app/headless/changed_recording.h"
 #include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
-#include "devices/device_uri.h"
+#include "app/headless/recording_integrity.h"
 #include "devices/formats/recording_file.h"
 #include "devices/profile.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace halbench::app {
 
 namespace {
 
 CommandResult finish(CommandContext& context, const CommandOptions& options, const ResultHeader& header,
-                     const IdentifyResult& result) {
-    const JsonValue document = identificationDocument(header, result);
-    if (const Result<void> done = deliver(context, document, identificationText(result), options.out);
+                     const IdentifyOutcome& outcome) {
+    const JsonValue document = identificationDocument(header, outcome);
+    if (const Result<void> done = deliver(context, document, identificationText(outcome), options.out);
         !done) {
         return failure(done.error());
     }
-    return exitCodeFor(result.quality);
+    return exitCodeFor(qualityOf(outcome));
 }
 
-CommandResult identifyDevice(CommandContext& context, const CommandOptions& options, IdentifyConfig config) {
+CommandResult identifyDevice(CommandContext& context, const CommandOptions& options) {
     const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
     if (!device) {
         return failure(device.error());
     }
+    const Actuator& actuator = actuatorOf((*device)->info().model);
+    Result<IdentifyConfig> config = identifyConfigFrom(options, actuator);
+    if (!config) {
+        return failure(config.error());
+    }
     const ResultHeader header = headerFor(context, "halbench.identification/1", **device);
-    config.seed = header.seed;
-    const Result<IdentifyResult> result = runIdentify(**device, config, observerFor(context));
+    config->seed = header.seed;
+    const Result<IdentifyOutcome> result = actuator.identify.run(**device, *config, observerFor(context));
     if (!result) {
         return failure(result.error());
     }
     if (!options.recordFile.empty()) {
         const Result<void> written =
-            writeRecording(options.recordFile, result->recording, **device, {header.started, {}, {}});
+            writeRecording(options.recordFile, recordingOf(*result), **device, {header.started, {}, {}});
         if (!written) {
             return endWithResult(
                 context, {identificationDocument(header, *result), identificationText(*result), options.out},
@@ -70,8 +74,11 @@ Result<MeasuredTiming> recordedTiming(const devices::RecordingMeta& meta) {
 }
 
 /// The device that the sidecar names; a recording without one has none.
-CommandResult identifyFile(CommandContext& context, const CommandOptions& options, const std::string& path,
-                           IdentifyConfig config) {
+CommandResult identifyFile(CommandContext& context, const CommandOptions& options, const std::string& path) {
+    Result<IdentifyConfig> config = identifyConfigFrom(options, actuatorOf({}));
+    if (!config) {
+        return failure(config.error());
+    }
     const auto isInterrupted = [&context] { return checkInterrupt(context); };
     const Result<devices::RecordedFile> file = devices::readRecordingFile(path, isInterrupted);
     if (!file) {
@@ -83,29 +90,18 @@ CommandResult identifyFile(CommandContext& context, const CommandOptions& option
         header.device = file->meta.device;
         header.started = file->meta.started;
     }
-    config.seed = header.seed;
+    config->seed = header.seed;
     const Result<MeasuredTiming> timing = file->hasMeta ? recordedTiming(file->meta) : MeasuredTiming{};
     if (!timing) {
         return failure(timing.error());
     }
-    Result<IdentifyResult> result = identifyRecording(file->recording, config, isInterrupted);
+    Result<IdentifyResult> result = identifyRecording(file->recording, *config, isInterrupted);
     if (!result) {
         return failure(result.error().code, path + ": " + result.error().message, result.error().hint);
     }
     result->timing = *timing;
     noteWarnings(result->quality, file->warnings);
-    return finish(context, options, header, *result);
-}
-
-/// FILE.csv, FILE.mf4 or replay:FILE; nothing for a device.
-std::optional<std::string> recordingPath(const std::string& text) {
-    const Result<devices::DeviceUri> uri = devices::parseDeviceUri(text);
-    if (!uri) {
-        const bool isFile =
-            std::filesystem::path(text).extension() == ".csv" || devices::isMdf4Recording(text);
-        return isFile ? std::optional<std::string>(text) : std::nullopt;
-    }
-    return uri->scheme == "replay" ? std::optional<std::string>(uri->address) : std::nullopt;
+    return finish(context, options, header, *std::move(result));
 }
 
 } // namespace
@@ -128,12 +124,7 @@ CommandResult runIdentifyCommand(CommandContext& context, const CommandOptions& 
                               "--frequency needs a device")
                     : runFrequencyCommand(context, options);
     }
-    Result<IdentifyConfig> config = identifyConfigFrom(options);
-    if (!config) {
-        return failure(config.error());
-    }
-    return path ? identifyFile(context, options, *path, *std::move(config))
-                : identifyDevice(context, options, *std::move(config));
+    return path ? identifyFile(context, options, *path) : identifyDevice(context, options);
 }
 
 } // namespace halbench::app

@@ -1,10 +1,20 @@
 #include "app/cli/command_support.h"
+#include "app/documents/axis_model_file.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/numbers.h"
 #include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
+#include "app/procedures/base/axis_choice.h"
+#include "app/procedures/excite/travel_reference.h"
+#include "app/procedures/move/move_prediction.h"
+#include "app/procedures/tune/loop_axis.h"
+#include "app/tuning/axis_conditions.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <string_view>
+#include <vector>
 
 namespace halbench::app {
 
@@ -40,7 +50,125 @@ std::string moveText(const MoveResult& result) {
     const std::string truth = isOneOfSeveral ? "true position" + of : "true position of the simulated rotor";
     std::string text = result.truth ? figureLines(truth, first) : std::string();
     text += figureLines("measured position" + of, measured) + figureLines("drive", rest);
+    if (result.path) {
+        text += figureLines("distance from the path", contourBody(*result.path));
+    }
     return text + crossAxisText(result) + findingLines(result.quality);
+}
+
+/// The axes that are meant, all of which the reference suits, before the first one moves.
+Result<std::vector<std::string>> movedAxesOf(const CommandOptions& options, const MoveReference& reference,
+                                             const devices::Device& device) {
+    if (options.axis != "all" || isPath(reference)) {
+        return std::vector<std::string>{options.axis};
+    }
+    const auto axes = chosenAxes(device.catalogue(), options.axis);
+    if (!axes) {
+        return failure(axes.error());
+    }
+    std::vector<std::string> names;
+    for (const devices::AxisSpec& axis : *axes) {
+        if (const Result<void> suits = checkQuantity(reference, axis); !suits) {
+            return failure(suits.error());
+        }
+        names.push_back(axis.id);
+    }
+    if (!options.out.empty() && names.size() > 1) {
+        return failure(ErrorCode::Usage, "--out holds one move, --axis all makes several",
+                       "name the axis whose move is kept");
+    }
+    return names;
+}
+
+/// --model: what it foresees of the move of an axis that it knows; nothing without it.
+Result<std::optional<MoveFigures>> predictionOf(const CommandOptions& options, const MoveConfig& config,
+                                                devices::Device& device) {
+    if (options.model.empty()) {
+        return std::optional<MoveFigures>();
+    }
+    const auto file = readAxisModelFile(options.model);
+    if (!file) {
+        return failure(file.error());
+    }
+    const std::string& kind = device.info().model;
+    if (file->header.device && file->header.device->model != kind) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("--model: it is of a device '{}', this one is a '{}'",
+                                   file->header.device->model, kind),
+                       "identify this device");
+    }
+    const IdentifiedAxis* axis = file->model.find(config.axis);
+    if (axis == nullptr) {
+        return failure(ErrorCode::UnknownName,
+                       fmt::format("--model: the model has no axis '{}'", config.axis),
+                       "name an axis that it has, or leave it out");
+    }
+    const auto conditions = axisConditionsOf(device, {config.axis});
+    return conditions ? predictAxisMove(device, config, estimateOfAxis(file->model, *axis),
+                                        conditions->front().currentLimit_A)
+                      : failure(conditions.error());
+}
+
+struct MovedAxis {
+    MoveResult result;
+    std::optional<MoveFigures> predicted;
+};
+
+Result<std::vector<MovedAxis>> moveAll(CommandContext& context, devices::Device& device,
+                                       const CommandOptions& options, MoveConfig config) {
+    const auto names = movedAxesOf(options, config.reference, device);
+    if (!names) {
+        return failure(names.error());
+    }
+    std::vector<MovedAxis> moved;
+    for (const std::string& name : *names) {
+        config.axis = name;
+        auto predicted = predictionOf(options, config, device);
+        if (!predicted) {
+            return failure(predicted.error());
+        }
+        Result<MoveResult> result = runMove(device, config, observerFor(context));
+        if (!result) {
+            return failure(result.error());
+        }
+        moved.push_back({*std::move(result), *std::move(predicted)});
+    }
+    return moved;
+}
+
+DataQuality qualityOf(const std::vector<MovedAxis>& moved) {
+    DataQuality quality = moved.front().result.quality;
+    for (std::size_t i = 1; i < moved.size(); ++i) {
+        const DataQuality& next = moved[i].result.quality;
+        quality.verdict = std::max(quality.verdict, next.verdict);
+        quality.findings.insert(quality.findings.end(), next.findings.begin(), next.findings.end());
+    }
+    return quality;
+}
+
+std::string predictedText(const MovedAxis& moved) {
+    return moved.predicted ? figureLines("predicted position of axis " + moved.result.axis.id,
+                                         moveFigures(*moved.predicted, moved.result.axis.positionUnit))
+                           : std::string();
+}
+
+/// A travel and a path end by themselves.
+Result<double> durationOf(const CommandOptions& options, const MoveReference& reference) {
+    if (!options.duration.empty()) {
+        return numberOption("--duration", options.duration);
+    }
+    const std::optional<double> travel_s = defaultDuration_s(reference);
+    return travel_s ? Result<double>(*travel_s)
+                    : failure(ErrorCode::Usage, "--duration is required",
+                              fmt::format("say how long a {} lasts", moveShapeName(reference.shape)));
+}
+
+/// Before it begins.
+void tellTravel(Console& console, const MoveReference& reference) {
+    if (const std::optional<double> travel_s = travelTime_s(reference)) {
+        console.log(LogLevel::Info,
+                    fmt::format("the {} takes {:.3f} s", moveShapeName(reference.shape), *travel_s));
+    }
 }
 
 } // namespace
@@ -50,10 +178,11 @@ CommandResult runMoveCommand(CommandContext& context, const CommandOptions& opti
     if (!reference) {
         return failure(reference.error());
     }
-    const Result<double> duration = numberOption("--duration", options.duration);
+    const Result<double> duration = durationOf(options, *reference);
     if (!duration) {
         return failure(duration.error());
     }
+    tellTravel(context.console, *reference);
     const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
     if (!device) {
         return failure(device.error());
@@ -61,31 +190,42 @@ CommandResult runMoveCommand(CommandContext& context, const CommandOptions& opti
     MoveConfig config;
     config.reference = *reference;
     config.duration_s = *duration;
-    config.axis = options.axis;
     ResultHeader header = headerFor(context, "halbench.move/1", **device);
-    const Result<MoveResult> result = runMove(**device, config, observerFor(context));
-    if (!result) {
-        return failure(result.error());
+    const auto moved = moveAll(context, **device, options, config);
+    if (!moved) {
+        return failure(moved.error());
     }
-    header.quality = result->quality;
+    header.quality = qualityOf(*moved);
     if (!options.out.empty()) {
         const Result<void> written =
-            writeRecording(options.out, result->recording, **device, {header.started, {}, {}});
+            writeRecording(options.out, moved->front().result.recording, **device, {header.started, {}, {}});
         if (!written) {
             return failure(written.error());
         }
     }
-    context.console.print(moveText(*result));
     JsonValue document = toJson(header);
-    if (result->others.empty()) {
-        document.set("figures", moveBody(*result));
-    } else {
-        document.set("axes", movedAxes(*result));
+    JsonValue axes = JsonValue::array();
+    for (const MovedAxis& each : *moved) {
+        context.console.print(moveText(each.result) + predictedText(each));
+        if (each.result.others.empty()) {
+            document.set("figures", moveBody(each.result));
+        } else {
+            const JsonValue moves = movedAxes(each.result, each.predicted);
+            for (const JsonValue& one : moves.items()) {
+                axes.push(one);
+            }
+        }
+        if (each.result.path) {
+            document.set("contour", contourBody(*each.result.path));
+        }
+    }
+    if (!axes.items().empty()) {
+        document.set("axes", axes);
     }
     if (const Result<void> printed = context.console.printDocument(document); !printed) {
         return failure(printed.error());
     }
-    return exitCodeFor(result->quality);
+    return exitCodeFor(header.quality);
 }
 
 } // namespace halbench::app

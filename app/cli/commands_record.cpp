@@ -3,10 +3,10 @@
 #include "app/documents/result_header.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
-#include "app/headless/changed_recording.h"
 #include "app/headless/command_header.h"
+#include "app/headless/reconnecting_device.h"
 #include "app/headless/recording_file.h"
-#include "app/headless/waiting_device.h"
+#include "app/headless/recording_integrity.h"
 #include "app/procedures/record/capture_procedure.h"
 #include "app/procedures/record/record_procedure.h"
 #include "app/recordings/name_reservation.h"
@@ -181,7 +181,7 @@ CommandResult tell(CommandContext& context, const Output& output, const ResultHe
         }
     }
     for (const Finding& finding : header.quality.findings) {
-        if (finding.code != ChangedRecordingCode) { // said when it was opened
+        if (finding.code != RecordingIntegrityCode) { // said when it was opened
             context.console.log(LogLevel::Warning, finding.message + "; " + finding.hint);
         }
     }
@@ -231,7 +231,7 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
         return failure(opened.error());
     }
     const std::unique_ptr<devices::ReturningDevice> back =
-        options.isReconnecting ? waitingDevice(context, options.device, *std::move(opened)) : nullptr;
+        options.isReconnecting ? reconnectingDevice(context, options.device, *std::move(opened)) : nullptr;
     devices::Device& device = back ? *back : **opened;
     ResultHeader header = headerFor(context, "halbench.recorded/1", device);
     Result<Output> place = outputFor(options, device, header.started);
@@ -244,7 +244,7 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
         back->setEvents(eventsTo(warningsTo(context.console), output));
     }
     const std::optional<double> limit_degC = temperatureLimit_degC(device);
-    CoilWatch coils(device.catalogue());
+    CoilTemperatureMonitor coils(device.catalogue());
     RecordOutlet outlet = output.outlet();
     outlet.append = [&coils, &place, toFile = outlet.append](const SampleBlock& block) {
         coils.take(block);

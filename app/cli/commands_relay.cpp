@@ -1,5 +1,5 @@
+#include "app/cli/command_output.h"
 #include "app/cli/command_support.h"
-#include "app/cli/kept_result.h"
 #include "app/cli/relay_options.h"
 #include "app/documents/model_file.h"
 #include "app/documents/relay_document.h"
@@ -126,7 +126,7 @@ CommandResult runRelayCommand(CommandContext& context, const CommandOptions& opt
     if (!result) {
         return failure(result.error());
     }
-    const KeptResult kept{relayDocument(header, *result), relayText(*result), options.out};
+    const CommandOutput kept{relayDocument(header, *result), relayText(*result), options.out};
     if (!options.recordFile.empty()) {
         const Result<void> recorded =
             namingFile(options.recordFile, writeRecording(options.recordFile, result->recording, **device,

@@ -5,7 +5,7 @@
 #include "app/experiments/run_plan.h"
 #include "app/experiments/step_configs.h"
 #include "app/headless/command_header.h"
-#include "app/headless/waiting_device.h"
+#include "app/headless/reconnecting_device.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -110,7 +110,7 @@ Result<std::unique_ptr<devices::Device>> openFor(CommandContext& context, const 
     if (!device || !isWaiting) {
         return device;
     }
-    auto waiting = waitingDevice(context, experiment.device, *std::move(device));
+    auto waiting = reconnectingDevice(context, experiment.device, *std::move(device));
     waiting->setWaiting(false);
     return waiting;
 }

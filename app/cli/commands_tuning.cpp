@@ -1,12 +1,14 @@
+#include "app/cli/axis_tuning.h"
 #include "app/cli/command_support.h"
 #include "app/cli/loop_pictures.h"
 #include "app/cli/tuning_apply.h"
 #include "app/cli/tuning_text.h"
+#include "app/documents/filtered_gains.h"
 #include "app/documents/law_code.h"
 #include "app/documents/relay_document.h"
 #include "app/documents/result_documents.h"
-#include "app/documents/shaped_gains.h"
 #include "app/documents/text/numbers.h"
+#include "app/procedures/base/doubtful_source.h"
 #include "app/tuning/gains_judgement.h"
 #include "app/tuning/loop_conditions.h"
 #include "devices/device_uri.h"
@@ -67,7 +69,7 @@ Result<std::optional<GainsFile>> gainsOf(const CommandOptions& options) {
                            "leave out one or the other");
         }
     }
-    Result<GainsFile> gains = readShapedGains(options.gainsFile);
+    Result<GainsFile> gains = readFilteredGains(options.gainsFile);
     return gains ? Result<std::optional<GainsFile>>(*std::move(gains)) : failure(gains.error());
 }
 
@@ -128,9 +130,9 @@ Result<TuneConfig> tuneConfigFrom(const CommandOptions& options) {
 }
 
 /// The loop that swung is the one that is designed for; that it was of another motor is said.
-Result<std::optional<Finding>> checkRelay(const CommandOptions& options, const TuningSource& source) {
+Result<std::vector<Finding>> checkRelay(const CommandOptions& options, const TuningSource& source) {
     if (options.relayFile.empty()) {
-        return std::optional<Finding>();
+        return std::vector<Finding>();
     }
     const Result<RelayFile> relay = readRelayFile(options.relayFile);
     if (!relay) {
@@ -145,26 +147,50 @@ Result<std::optional<Finding>> checkRelay(const CommandOptions& options, const T
                         source.conditions.timing.period_s, source.conditions.timing.delay_samples),
             "make the experiment on the loop that is designed for");
     }
-    if (!relay->header.device || !source.header.device) {
-        return std::optional<Finding>();
+    std::vector<Finding> findings = relay->doubts;
+    if (relay->header.device && source.header.device) {
+        if (auto foreign = foreignMotor(relay->header.device, *source.header.device)) {
+            findings.push_back(*std::move(foreign));
+        }
     }
-    return foreignMotor(relay->header.device, *source.header.device);
+    return findings;
 }
 
-} // namespace
+/// What the device made of the gains: for the document and as text.
+struct Proof {
+    bool isKept = true;
+    std::optional<JsonValue> body;
+    std::string text;
+};
 
-CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options) {
-    Result<TuneConfig> config = tuneConfigFrom(options);
-    if (!config) {
-        return failure(config.error());
+/// The verdict of `result` takes in that of the verification.
+Result<Proof> proveOnDevice(CommandContext& context, const CommandOptions& options, TuningSource& source,
+                            TuneResult& result) {
+    const Result<AppliedGains> applied =
+        options.isLive ? applyInSteps(context, source, result) : applyGains(context, source, result);
+    if (!applied) {
+        return failure(applied.error());
+    }
+    const ApplyResult& found = applied->result;
+    addVerification(result.quality, found.quality);
+    const char* const said = found.isKept ? "applied and verified" : "not kept, old gains restored";
+    return Proof{found.isKept, applied->body,
+                 applied->steps + agreementLine(found) +
+                     fmt::format("{}\n{}", said, findingLines(found.quality))};
+}
+
+/// Designs the loop of a motor: of `device`, identified now, or of the model in a file.
+CommandResult tuneMotor(CommandContext& context, const CommandOptions& options, TuneConfig config,
+                        std::unique_ptr<devices::Device> device) {
+    if (const Result<void> fits = refuseAxis(options); !fits) {
+        return failure(fits.error());
     }
     Result<std::optional<GainsFile>> gains = gainsOf(options);
     if (!gains) {
         return failure(gains.error());
     }
-    const bool isDevice = devices::parseDeviceUri(options.device).has_value();
-    Result<TuningSource> source =
-        isDevice ? sourceFromDevice(context, options, *config) : sourceFromFile(context, options.device);
+    Result<TuningSource> source = device ? sourceFromDevice(context, options, config, std::move(device))
+                                         : sourceFromFile(context, options.device);
     if (!source) {
         return failure(source.error());
     }
@@ -172,53 +198,78 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
     if (const Result<void> taken = takeCalibration(source->conditions, options.calibrationFile); !taken) {
         return failure(taken.error());
     }
-    config->conditions = source->conditions;
-    config->seed = source->header.seed;
-    const Result<std::optional<Finding>> foreign = checkRelay(options, *source);
-    if (!foreign) {
-        return failure(foreign.error());
+    config.conditions = source->conditions;
+    config.seed = source->header.seed;
+    const Result<std::vector<Finding>> remarks = checkRelay(options, *source);
+    if (!remarks) {
+        return failure(remarks.error());
     }
-    Result<TuneResult> result = findGains(options, *source, *config);
+    Result<TuneResult> result = findGains(options, *source, config);
     if (!result) {
         return failure(result.error());
     }
-    if (*foreign) {
-        addFinding(*result, **foreign);
+    for (const Finding& remark : *remarks) {
+        addFinding(*result, remark);
     }
     const Result<void> opened = openToApply(context, options, *source, *result);
     if (!opened) {
         return failure(opened.error());
     }
-    if (const auto coded = writeLaw(options.codeFile, {result->law, result->shaped}, result->conditions,
+    if (const auto coded = writeLaw(options.codeFile, {result->law, result->filtered}, result->conditions,
                                     {result->method, source->header.device});
         !coded) {
         return failure(coded.error());
     }
-    if (const auto drawn =
-            writeLoopPictures(*loopPicturesOf(options.pictures),
-                              {&*result, &source->estimate, {}, {config->draws, config->seed}});
+    if (const auto drawn = writeLoopPictures(*loopPicturesOf(options.pictures),
+                                             {&*result, &source->estimate, {}, {config.draws, config.seed}});
         !drawn) {
         return failure(drawn.error());
     }
-    JsonValue document = gainsDocument(source->header, *result);
-    std::string text = gainsText(*result);
-    bool isKept = true;
-    if (!options.applyDevice.empty()) {
-        const Result<AppliedGains> applied =
-            options.isLive ? applyInSteps(context, *source, *result) : applyGains(context, *source, *result);
-        if (!applied) {
-            return failure(applied.error());
-        }
-        isKept = applied->result.isKept;
-        document.set("applied", applied->body);
-        text += applied->steps + agreementLine(applied->result);
-        text += fmt::format("{}\n{}", isKept ? "applied and verified" : "not kept, the old gains run again",
-                            findingLines(applied->result.quality));
+    const std::string text = gainsText(*result); // before the verdict takes the verification in
+    const Result<Proof> assessment = options.applyDevice.empty()
+                                         ? Result<Proof>(Proof())
+                                         : proveOnDevice(context, options, *source, *result);
+    if (!assessment) {
+        return failure(assessment.error());
     }
-    if (const Result<void> done = deliver(context, document, text, options.out); !done) {
+    JsonValue document = gainsDocument(source->header, *result);
+    if (assessment->body) {
+        document.set("applied", *assessment->body);
+    }
+    if (const Result<void> done = deliver(context, document, text + assessment->text, options.out); !done) {
         return failure(done.error());
     }
-    return isKept ? exitCodeFor(result->quality) : ExitCode::CheckFailed;
+    return assessment->isKept ? exitCodeFor(result->quality) : ExitCode::CheckFailed;
+}
+
+} // namespace
+
+CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options) {
+    const bool isDevice = devices::parseDeviceUri(options.device).has_value();
+    const auto axes =
+        isDevice ? Result<std::optional<AxisModelFile>>(std::nullopt) : axisModelIn(options.device);
+    if (!axes) {
+        return failure(axes.error());
+    }
+    if (*axes) {
+        return tuneAxesOf(context, options, **axes);
+    }
+    Result<TuneConfig> config = tuneConfigFrom(options);
+    if (!config) {
+        return failure(config.error());
+    }
+    std::unique_ptr<devices::Device> device;
+    if (isDevice) {
+        auto opened = openToMove(context, options.device);
+        if (!opened) {
+            return failure(opened.error());
+        }
+        device = *std::move(opened);
+    }
+    if (device && device->catalogue().axes.size() > 1) {
+        return tuneAxesOfDevice(context, options, std::move(device));
+    }
+    return tuneMotor(context, options, *std::move(config), std::move(device));
 }
 
 } // namespace halbench::app

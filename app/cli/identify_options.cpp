@@ -10,7 +10,9 @@
 
 namespace halbench::app {
 
-std::string identificationText(const IdentifyResult& result) {
+namespace {
+
+std::string textOf(const IdentifyResult& result) {
     std::string text;
     text += estimateLine("inertia J", result.inertia);
     text += estimateLine("viscous c", result.viscousDamping);
@@ -25,7 +27,29 @@ std::string identificationText(const IdentifyResult& result) {
     if (result.rSquared) {
         text += fmt::format("{:<14} {:.5f}\n", "R squared", *result.rSquared);
     }
-    return text + findingLines(result.quality);
+    return text;
+}
+
+std::string textOf(const AxesIdentifyResult& result) {
+    std::string text;
+    for (const IdentifiedAxis& axis : result.model.axes) {
+        text += estimateLine(axis.axis + " damping rate", axis.dampingRate);
+        text += estimateLine(axis.axis + " gain", axis.accelerationGain);
+        text += estimateLine(axis.axis + " breakaway", axis.breakawayEffort);
+    }
+    for (const std::vector<NamedEstimate>* list : {&result.ratios, &result.constants}) {
+        for (const NamedEstimate& each : *list) {
+            text += estimateLine(each.name, each.estimate);
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+std::string identificationText(const IdentifyOutcome& outcome) {
+    return std::visit([](const auto& result) { return textOf(result); }, outcome) +
+           findingLines(qualityOf(outcome));
 }
 
 namespace {
@@ -51,8 +75,8 @@ Result<CurrentSweep> sweepFrom(const std::string& text) {
     return CurrentSweep{numbers[0], numbers[1], numbers[2]};
 }
 
-Result<control::GivenConstants> givenFrom(const std::vector<std::string>& texts) {
-    control::GivenConstants given;
+Result<void> takeGiven(const std::vector<std::string>& texts, const Actuator& actuator,
+                       IdentifyConfig& config) {
     std::vector<std::string> seen;
     for (const std::string& text : texts) {
         const std::size_t equals = text.find('=');
@@ -68,11 +92,11 @@ Result<control::GivenConstants> givenFrom(const std::vector<std::string>& texts)
         if (!value) {
             return failure(value.error());
         }
-        if (const Result<void> set = setGivenConstant(given, symbol, *value); !set) {
-            return failure(set.error());
+        if (const Result<void> set = actuator.identify.setGiven(config, symbol, *value); !set) {
+            return set;
         }
     }
-    return given;
+    return {};
 }
 
 Result<std::optional<AddedInertia>> addedFrom(const CommandOptions& options) {
@@ -96,7 +120,7 @@ Result<std::optional<AddedInertia>> addedFrom(const CommandOptions& options) {
 
 } // namespace
 
-Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options) {
+Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options, const Actuator& actuator) {
     const Result<CurrentSweep> sweep = sweepFrom(options.currents);
     if (!sweep) {
         return failure(sweep.error());
@@ -105,18 +129,17 @@ Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options) {
     if (!directions) {
         return failure(directions.error());
     }
-    const Result<control::GivenConstants> given = givenFrom(options.given);
-    if (!given) {
+    IdentifyConfig config;
+    if (const Result<void> given = takeGiven(options.given, actuator, config); !given) {
         return failure(given.error());
     }
     Result<std::optional<AddedInertia>> added = addedFrom(options);
     if (!added) {
         return failure(added.error());
     }
-    IdentifyConfig config;
     config.sweep = *sweep;
     config.directions = *directions;
-    config.given = *given;
+    config.axis = options.axis;
     config.added = *std::move(added);
     return config;
 }

@@ -9,7 +9,7 @@
 namespace halbench::app {
 
 std::string proofLines(const TuneResult& result) {
-    if (!result.proof) {
+    if (!result.assessment) {
         return {};
     }
     std::string text;
@@ -18,12 +18,12 @@ std::string proofLines(const TuneResult& result) {
             text += fmt::format("{:<26} {:.4g}{}\n", name, value, unit);
         }
     };
-    line("peak of sensitivity, Ms", result.proof->peaks.Ms_ratio, "");
-    line("noise gain", result.proof->noiseGain_A_per_rad, " A/rad");
-    if (result.proof->isStable) {
-        line("step within the limit", radiansToDegrees(result.proof->largestStep_rad), " deg");
+    line("peak of sensitivity, Ms", result.assessment->peaks.Ms_ratio, "");
+    line("noise gain", result.assessment->noiseGain_A_per_rad, " A/rad");
+    if (result.assessment->isStable) {
+        line("step within the limit", radiansToDegrees(result.assessment->largestStep_rad), " deg");
     }
-    line("pole radius, 1 sample late", result.proof->poleRadiusOneSampleLater, "");
+    line("pole radius, 1 sample late", result.assessment->poleRadiusOneSampleLater, "");
     return text;
 }
 
@@ -69,11 +69,12 @@ std::string disturbanceLines(const TuneResult& result) {
     return text + fmt::format("{:<26} {:.4g} deg\n", "in the end", radiansToDegrees(step.final_rad));
 }
 
-std::string intervalLines(const control::Robustness& robust) {
-    if (!robust.gainMargin_ratio) {
+std::string intervalLines(const control::Robustness& robust, const std::string& drawn) {
+    if (!robust.phaseMargin_deg) {
         return "margins: no interval is known, the model has no covariance\n";
     }
-    std::string text = fmt::format("margins of 5 % to 95 % of {} motors that the data allow\n", robust.draws);
+    std::string text =
+        fmt::format("margins of 5 % to 95 % of {} {} that the data allow\n", robust.draws, drawn);
     const auto line = [&text](const char* name, const std::optional<control::Robustness::Interval>& interval,
                               const char* unit) {
         if (interval) {

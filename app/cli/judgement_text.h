@@ -14,7 +14,7 @@ std::string proofLines(const TuneResult& result);
 std::string cycleLines(const TuneResult& result);
 /// Response to a load; empty for an unstable loop.
 std::string disturbanceLines(const TuneResult& result);
-/// Interval of each margin over the uncertainty of the motor.
-std::string intervalLines(const control::Robustness& robust);
+/// Interval of each margin over the uncertainty of the motor, or of what `drawn` are ("motors", "axes").
+std::string intervalLines(const control::Robustness& robust, const std::string& drawn = "motors");
 
 } // namespace halbench::app

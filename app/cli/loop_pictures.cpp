@@ -23,7 +23,7 @@ void addLargeStep(LoopUncertainty& uncertainty, const DrawnLoop& loop) {
     if (!step) {
         return;
     }
-    auto band = largeStepBand(*loop.motor, {result.law, result.shaped}, result.conditions,
+    auto band = largeStepBand(*loop.motor, {result.law, result.filtered}, result.conditions,
                               {step->amplitude_rad, step->duration_s()}, loop.draws);
     if (band) {
         uncertainty.largeStep = *std::move(band);
@@ -95,7 +95,7 @@ Result<void> writeLoopPictures(const std::vector<LoopPicture>& pictures, const D
         return {};
     }
     std::optional<LoopUncertainty> uncertainty;
-    if (auto known = loopUncertainty(*loop.motor, {loop.result->law, loop.result->shaped},
+    if (auto known = loopUncertainty(*loop.motor, {loop.result->law, loop.result->filtered},
                                      loop.result->conditions, loop.result->predicted, loop.draws)) {
         uncertainty = *std::move(known);
     }

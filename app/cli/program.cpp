@@ -1,5 +1,6 @@
 #include "app/cli/program.h"
 
+#include "app/analyses/registry/analyses.h"
 #include "app/cli/commands.h"
 #include "app/documents/result_header.h"
 #include "app/headless/command_outputs.h"
@@ -64,6 +65,9 @@ CommandResult dispatch(CommandContext& context, const CommandLine& line) {
             return entry.run(context, line.options);
         }
     }
+    if (const Analysis* analysis = findAnalysis(line.command)) {
+        return runAnalysisCommand(context, *analysis, line.options);
+    }
     return failure(ErrorCode::Usage, "'" + line.command + "' is not built in this version",
                    "see 'halbench --help'");
 }
@@ -99,7 +103,7 @@ int runProgram(const std::vector<std::string>& arguments, const std::atomic<int>
             result = runArguments(arguments, console, interruptSignal);
         } catch (const std::exception& exception) {
             result = failure(ErrorCode::Internal, std::string("internal error: ") + exception.what(),
-                             "report this with the command line that led to it");
+                             "report this with the command line used");
         }
         if (result) {
             return static_cast<int>(*result);

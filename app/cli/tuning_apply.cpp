@@ -53,7 +53,7 @@ Result<void> admitTiming(const CommandOptions& options, const MotorEstimate& mot
 /// The device's law has what these gains need; then nothing has to be said of that any more.
 Result<void> admitLaw(const CommandOptions& options, TuneResult& result,
                       const devices::Catalogue& catalogue) {
-    if (!result.shaped) {
+    if (!result.filtered) {
         return {};
     }
     if (options.isLive) {
@@ -62,7 +62,7 @@ Result<void> admitLaw(const CommandOptions& options, TuneResult& result,
             "--live: gains with set-point weights or filters are applied at once, not in small steps",
             "leave --live out");
     }
-    if (const auto offered = checkOffered(*result.shaped, boardLawSpec(catalogue)); !offered) {
+    if (const auto offered = checkOffered(*result.filtered, boardLawSpec(catalogue)); !offered) {
         return failure(offered.error().code, "--apply: " + offered.error().message, offered.error().hint);
     }
     const auto isAnswered = [](const Finding& finding) { return finding.code == "needs_filtered_law"; };
@@ -116,6 +116,12 @@ Result<void> openToApply(CommandContext& context, const CommandOptions& options,
         if (const auto foreign = foreignMotor(source.header.device, source.device->info())) {
             found.push_back(*foreign);
         }
+    }
+    if (source.device->catalogue().axes.size() > 1) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("--apply: the model is of a single loop, the {} has several axes",
+                                   source.device->info().model),
+                       "identify its axes and tune with that model");
     }
     const devices::DeviceInfo& info = source.device->info();
     if (const auto foreign = source.gains ? foreignGains(*source.gains, info) : std::nullopt;
@@ -179,7 +185,7 @@ Result<AppliedGains> applyInSteps(CommandContext& context, TuningSource& source,
 
 Result<AppliedGains> applyGains(CommandContext& context, TuningSource& source, const TuneResult& result) {
     Result<std::vector<ParameterValue>> values =
-        lawForDevice(LoopLaw(result.law, result.shaped), source.device->catalogue());
+        lawForDevice(LoopLaw(result.law, result.filtered), source.device->catalogue());
     if (!values) {
         return failure(values.error());
     }

@@ -41,19 +41,15 @@ Result<TuningSource> sourceFromFile(const CommandContext& context, const std::st
 }
 
 Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOptions& options,
-                                      const TuneConfig& wanted) {
-    Result<IdentifyConfig> config = identifyConfigFrom(options);
+                                      const TuneConfig& wanted, std::unique_ptr<devices::Device> device) {
+    Result<IdentifyConfig> config = identifyConfigFrom(options, actuatorOf(device->info().model));
     if (!config) {
         return failure(config.error());
     }
-    Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
-    if (!device) {
-        return failure(device.error());
-    }
     TuningSource source;
-    source.header = headerFor(context, "halbench.gains/1", **device);
+    source.header = headerFor(context, "halbench.gains/1", *device);
     config->seed = source.header.seed;
-    const Result<LoopConditions> conditions = loopConditionsOf(**device);
+    const Result<LoopConditions> conditions = loopConditionsOf(*device);
     if (!conditions) {
         return failure(conditions.error());
     }
@@ -63,12 +59,12 @@ Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOpti
         return failure(possible.error());
     }
     source.conditions = *conditions;
-    const Result<IdentifyResult> identified = runIdentify(**device, *config, observerFor(context));
+    const Result<IdentifyResult> identified = runIdentify(*device, *config, observerFor(context));
     if (!identified) {
         return failure(identified.error());
     }
     source.estimate = motorEstimate(*identified);
-    source.device = *std::move(device);
+    source.device = std::move(device);
     return source;
 }
 

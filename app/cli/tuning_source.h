@@ -23,9 +23,9 @@ struct TuningSource {
 
 /// Errors: of the file, of its model's profile.
 Result<TuningSource> sourceFromFile(const CommandContext& context, const std::string& path);
-/// Identified now; what is wanted is judged before anything moves. Errors: of the options, of the device, of
-/// the identification, of a target that this board cannot have.
+/// The motor of an open device with one axis, identified now; targets are judged before anything moves.
+/// Errors: of the options, of the device, of the identification, of a target that this board cannot have.
 Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOptions& options,
-                                      const TuneConfig& wanted);
+                                      const TuneConfig& wanted, std::unique_ptr<devices::Device> device);
 
 } // namespace halbench::app

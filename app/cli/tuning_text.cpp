@@ -2,8 +2,8 @@
 
 #include "app/cli/command_support.h"
 #include "app/cli/judgement_text.h"
+#include "app/documents/filtered_gains.h"
 #include "app/documents/result_documents.h"
-#include "app/documents/shaped_gains.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -52,12 +52,15 @@ std::string gainsText(const TuneResult& result) {
                                 gain.value.find("unit")->text());
         }
     }
-    text += result.shaped ? shapingLines(*result.shaped) : std::string();
+    text += result.filtered ? shapingLines(*result.filtered) : std::string();
     text += formLine("in standard form", result.law.gains, control::PidForm::Standard);
     text += formLine("in series form", result.law.gains, control::PidForm::Series);
     const AnalysisResult& predicted = result.predicted;
-    text += fmt::format("{}, gain margin {:.3g}, phase margin {:.4g} deg\n",
-                        predicted.isStable ? "stable" : "UNSTABLE", predicted.margins.gainMargin_ratio,
+    const bool hasNone = !predicted.isStable && std::isinf(predicted.margins.gainMargin_ratio);
+    const std::string gainMargin =
+        hasNone ? std::string("none") : fmt::format("{:.3g}", predicted.margins.gainMargin_ratio);
+    text += fmt::format("{}, gain margin {}, phase margin {:.4g} deg\n",
+                        predicted.isStable ? "stable" : "UNSTABLE", gainMargin,
                         predicted.margins.phaseMargin_deg);
     text += fmt::format("delay margin {:.3g} ms\n", 1e3 * predicted.margins.delayMargin_s);
     text += proofLines(result);

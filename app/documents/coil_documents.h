@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/documents/text/json_value.h"
-#include "app/procedures/base/coil_watch.h"
+#include "app/procedures/base/coil_temperature_monitor.h"
 
 #include <string>
 #include <vector>

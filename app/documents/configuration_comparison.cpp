@@ -16,10 +16,11 @@ Result<void> checkModel(const Configuration& file, const devices::DeviceInfo& de
     if (file.device.model == device.model) {
         return {};
     }
-    return failure(ErrorCode::InvalidInput,
-                   fmt::format("the configuration is of a device of model '{}', this one is of model '{}'",
-                               file.device.model, device.model),
-                   "take a file of this model; nothing was written");
+    return failure(
+        ErrorCode::InvalidInput,
+        fmt::format("the configuration is for a device of model '{}', this device is of model '{}'",
+                    file.device.model, device.model),
+        "nothing was written; use a file for this model");
 }
 
 /// A value as the device takes it: another unit would be a wrong number in the right place. Nothing where the
@@ -31,11 +32,11 @@ std::optional<double> inUnitOf(const ParameterSpec& spec, const ConfigurationVal
 
 std::string reasonAgainst(const ParameterSpec& spec, const ConfigurationValue& entry) {
     if (!isSetting(spec)) {
-        return "this device takes it as an order or does not let it be written";
+        return "this value is a command or read-only on the device";
     }
     const std::optional<double> value = inUnitOf(spec, entry);
     if (!value) {
-        return fmt::format("the file has it in '{}', the device in '{}'", entry.unit, spec.unit);
+        return fmt::format("unit '{}' in the file, '{}' on the device", entry.unit, spec.unit);
     }
     if (const Result<void> checked = checkParameterValue(spec, *value); !checked) {
         return checked.error().message;
@@ -89,7 +90,7 @@ std::vector<ComparedRow> rowsOf(const Configuration& file, const devices::Catalo
                             entry.value,
                             {},
                             RowState::OnlyInFile,
-                            "this device does not have it",
+                            "not available on this device",
                             false});
         }
     }
@@ -103,14 +104,14 @@ std::vector<Finding> findingsOf(const Configuration& file, const devices::Device
         findings.push_back({"other_device",
                             fmt::format("the configuration was read from the device '{}', this one is '{}'",
                                         file.device.id, device.id),
-                            "its calibration was measured there and is left out unless you ask for it"});
+                            "its calibration was measured on that device and is excluded unless selected"});
     }
     if (file.device.firmware != device.firmware) {
         findings.push_back(
             {"other_firmware",
              fmt::format("the configuration was read from firmware '{}', this device runs '{}'",
                          file.device.firmware, device.firmware),
-             "look at each row: a value may mean something else there"});
+             "check each row: a value may have another meaning in this firmware"});
     }
     return findings;
 }
@@ -173,11 +174,11 @@ Result<std::vector<ParameterValue>> chosenValues(const ConfigurationComparison& 
                                       [&](const ComparedRow& each) { return each.name == name; });
         if (row == comparison.rows.end() || !row->file) {
             return failure(ErrorCode::Usage, fmt::format("the configuration has no value for '{}'", name),
-                           "choose among its rows; nothing was written");
+                           "nothing was written; choose one of its rows");
         }
         if (!row->canBeRestored()) {
             return failure(ErrorCode::Usage, fmt::format("'{}' cannot be restored: {}", name, row->reason),
-                           "leave it out; nothing was written");
+                           "nothing was written; leave it out");
         }
         chosen.push_back({name, *row->file});
     }
@@ -188,8 +189,8 @@ Result<std::vector<RowOutcome>> restoreValues(devices::Device& device,
                                               const std::vector<ParameterValue>& values) {
     if (device.state().isArmed) {
         return failure(ErrorCode::DeviceRefused,
-                       "the actuator is armed; a configuration is not restored then",
-                       "disarm it first; nothing was written");
+                       "a configuration cannot be restored while the actuator is armed",
+                       "nothing was written; disarm first");
     }
     if (values.empty()) {
         return std::vector<RowOutcome>();
@@ -207,7 +208,7 @@ Result<std::vector<RowOutcome>> restoreValues(devices::Device& device,
     std::vector<RowOutcome> outcomes;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool isRestored = isSameValue((*now)[i], values[i].value);
-        const std::string reason = written ? "the device keeps another value" : written.error().message;
+        const std::string reason = written ? "the value read back differs" : written.error().message;
         outcomes.push_back({names[i], isRestored, isRestored ? std::string() : reason});
     }
     return outcomes;

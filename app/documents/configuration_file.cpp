@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* Schema = "halbench.configuration/1";
 constexpr const char* SchemaFamily = "halbench.configuration/";
-constexpr const char* Remedy = "nothing was written; mend this line or take another file";
+constexpr const char* Remedy = "nothing was written; correct this line or use another file";
 
 /// As TOML writes a text, whatever is in it.
 std::string quoted(const std::string& text) {
@@ -91,7 +91,7 @@ public:
             } else if (key == "overrides") {
                 overrides(value, device);
             } else {
-                refuse(value, fmt::format("'device.{}' has no place there", key));
+                refuse(value, fmt::format("'device.{}' is not allowed here", key));
             }
         }
     }
@@ -102,7 +102,7 @@ public:
             entry.isCalibration = table == "calibration";
             row(value, name, entry);
             if (!configuration.values.emplace(name, entry).second) {
-                refuse(value, fmt::format("'{}' stands twice", name));
+                refuse(value, fmt::format("'{}' occurs twice", name));
             }
         }
     }

@@ -154,6 +154,10 @@ private:
         if (!conversion) {
             return failure(conversion.error());
         }
+        if (const auto problem = intervalProblem(value)) {
+            return failure(ErrorCode::InvalidInput, fmt::format("{}.ci95\" {}", place, *problem),
+                           "write both ends around the value, or null");
+        }
         JsonValue quantity = value;
         for (const char* number : {"value", "ci95"}) {
             const JsonValue* written = value.find(number);
@@ -168,6 +172,37 @@ private:
 };
 
 } // namespace
+
+std::optional<std::string> intervalProblem(const JsonValue& quantity) {
+    constexpr double Rounding_ratio = 1e-9; // of numbers that went through a text
+    const JsonValue* interval = quantity.find("ci95");
+    const JsonValue* value = quantity.find("value");
+    if (interval == nullptr || interval->isNull()) {
+        return std::nullopt;
+    }
+    if (!interval->isArray() || interval->items().size() != 2 || !interval->items()[0].isNumber() ||
+        !interval->items()[1].isNumber()) {
+        return "must be null or two finite numbers";
+    }
+    const double low = interval->items()[0].number();
+    const double high = interval->items()[1].number();
+    if (low > high) {
+        return fmt::format("must be in ascending order, {:.6g} is more than {:.6g}", low, high);
+    }
+    if (value == nullptr || !value->isNumber()) {
+        return std::nullopt;
+    }
+    const JsonValue* source = quantity.find("source");
+    if (source != nullptr && source->isText() && source->text() == "given") {
+        return std::nullopt; // the interval of what is given is the value itself
+    }
+    const double estimate = value->number();
+    const double rounding = Rounding_ratio * std::max({std::abs(estimate), std::abs(low), std::abs(high)});
+    if (estimate < low - rounding || estimate > high + rounding) {
+        return fmt::format("must contain the value: {:.6g} is not in {:.6g} ... {:.6g}", estimate, low, high);
+    }
+    return std::nullopt;
+}
 
 std::optional<std::string_view> dueUnit(std::string_view key) {
     if (key.starts_with(AngleErrors)) {

@@ -23,4 +23,8 @@ Result<double> inDueUnit(std::string_view key, double value, const std::string& 
 /// one that is not known.
 Result<JsonValue> parseDocument(const std::string& text, const std::string& origin);
 
+/// Fault of the interval of {"value", "ci95"} in words: no two finite numbers, the ends not in order, the
+/// value outside. Nothing where it is sound or null.
+std::optional<std::string> intervalProblem(const JsonValue& quantity);
+
 } // namespace halbench::app

@@ -1,3 +1,4 @@
+#include "app/documents/frequency_parts.h"
 #include "app/documents/result_documents.h"
 #include "control/base/units.h"
 
@@ -10,25 +11,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A circle of confidence; the intervals are null when it holds zero or, of the phase, surrounds it.
-JsonValue circle(Complex value, double radius) {
-    JsonValue body = JsonValue::object();
-    body.set("re", value.real()).set("im", value.imag()).set("radius", radius);
-    const double size = std::abs(value);
-    body.set("magnitude_db", finiteOrNull(20.0 * std::log10(size)));
-    body.set("phase_deg", radiansToDegrees(std::arg(value)));
-    JsonValue error_dB, error_deg;
-    if (radius < size) {
-        error_dB = JsonValue::array();
-        error_dB.push(20.0 * std::log10(size - radius)).push(20.0 * std::log10(size + radius));
-        const double half_deg = radiansToDegrees(std::asin(radius / size));
-        const double phase_deg = radiansToDegrees(std::arg(value));
-        error_deg = JsonValue::array();
-        error_deg.push(phase_deg - half_deg).push(phase_deg + half_deg);
-    }
-    return body.set("magnitude_ci95_db", error_dB).set("phase_ci95_deg", error_deg);
-}
-
 JsonValue pointsOf(const FrequencyResult& result) {
     JsonValue points = JsonValue::array();
     for (const FrequencyResultPoint& point : result.points) {
@@ -39,8 +21,8 @@ JsonValue pointsOf(const FrequencyResult& result) {
         entry.set("coherence", point.measured.coherence).set("used", point.isUsed);
         entry.set("averages", point.measured.averages);
         entry.set("scatter_radius", point.measured.radius);
-        entry.set("plant", circle(point.measured.value, point.radius));
-        entry.set("open_loop", circle(point.openLoop, point.openLoopRadius));
+        entry.set("plant", circleBody(point.measured.value, point.radius));
+        entry.set("open_loop", circleBody(point.openLoop, point.openLoopRadius));
         points.push(entry.set("closed_loop", closedLoop));
     }
     return points;
@@ -58,19 +40,6 @@ const char* withheldName(control::MeasuredMargin::Withheld withheld) {
         break;
     }
     return nullptr;
-}
-
-JsonValue marginOf(const control::MeasuredMargin& margin) {
-    JsonValue interval;
-    if (margin.interval && std::isfinite(margin.interval->second - margin.interval->first)) {
-        interval = JsonValue::array();
-        interval.push(margin.interval->first).push(margin.interval->second);
-    }
-    const char* withheld = withheldName(margin.withheld);
-    JsonValue body = JsonValue::object();
-    body.set("value", margin.value).set("ci95", interval);
-    body.set("frequency_rad_s", margin.frequency_rad_s);
-    return body.set("withheld", withheld == nullptr ? JsonValue() : JsonValue(withheld));
 }
 
 JsonValue rotorOf(const std::optional<control::FrequencyFit>& fit) {
@@ -102,13 +71,44 @@ JsonValue excitationOf(const FrequencyResult& result) {
 
 } // namespace
 
+JsonValue circleBody(Complex value, double radius) {
+    JsonValue body = JsonValue::object();
+    body.set("re", value.real()).set("im", value.imag()).set("radius", radius);
+    const double size = std::abs(value);
+    body.set("magnitude_db", finiteOrNull(20.0 * std::log10(size)));
+    body.set("phase_deg", radiansToDegrees(std::arg(value)));
+    JsonValue error_dB, error_deg;
+    if (radius < size) {
+        error_dB = JsonValue::array();
+        error_dB.push(20.0 * std::log10(size - radius)).push(20.0 * std::log10(size + radius));
+        const double half_deg = radiansToDegrees(std::asin(radius / size));
+        const double phase_deg = radiansToDegrees(std::arg(value));
+        error_deg = JsonValue::array();
+        error_deg.push(phase_deg - half_deg).push(phase_deg + half_deg);
+    }
+    return body.set("magnitude_ci95_db", error_dB).set("phase_ci95_deg", error_deg);
+}
+
+JsonValue marginBody(const control::MeasuredMargin& margin) {
+    JsonValue interval;
+    if (margin.interval && std::isfinite(margin.interval->second - margin.interval->first)) {
+        interval = JsonValue::array();
+        interval.push(margin.interval->first).push(margin.interval->second);
+    }
+    const char* withheld = withheldName(margin.withheld);
+    JsonValue body = JsonValue::object();
+    body.set("value", margin.value).set("ci95", interval);
+    body.set("frequency_rad_s", margin.frequency_rad_s);
+    return body.set("withheld", withheld == nullptr ? JsonValue() : JsonValue(withheld));
+}
+
 JsonValue frequencyBody(const FrequencyResult& result) {
     JsonValue gains = JsonValue::object();
     gains.set("kp_A_per_rad", result.law.kp_A_per_rad).set("ki_A_per_rad_s", result.law.ki_A_per_rad_s);
     gains.set("kd_A_s_per_rad", result.law.kd_As_per_rad);
     JsonValue margins = JsonValue::object();
-    margins.set("phase_margin_deg", marginOf(result.margins.phase_deg));
-    margins.set("gain_margin_db", marginOf(result.margins.gain_dB));
+    margins.set("phase_margin_deg", marginBody(result.margins.phase_deg));
+    margins.set("gain_margin_db", marginBody(result.margins.gain_dB));
     JsonValue systematic = JsonValue::object();
     systematic.set("gain_ratio", result.config.gainError_ratio);
     systematic.set("feedthrough_rad_per_A", result.strayError_rad_per_A);

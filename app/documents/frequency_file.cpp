@@ -37,8 +37,8 @@ Result<FrequencyFile> parseFrequency(const std::string& text, const std::string&
     }
     FrequencyFile file{headerOf(*root), {}};
     if (qualityOf(member(&*root, "data_quality")).verdict == Verdict::Refused) {
-        return failure(ErrorCode::Refused, origin + ": this response was refused",
-                       "see its findings, then measure again");
+        return failure(ErrorCode::Refused, origin + ": this response was rejected",
+                       "check its findings, then measure again");
     }
     const auto period_s = numberIn(&*root, "sample_period_s");
     if (!period_s || !(*period_s > 0.0)) {
@@ -52,8 +52,8 @@ Result<FrequencyFile> parseFrequency(const std::string& text, const std::string&
         const auto point = pointOf(entry, last_Hz);
         if (!point || !(2.0 * point->frequency_Hz * *period_s < 1.0)) {
             return failure(ErrorCode::InvalidInput,
-                           fmt::format("{}: points[{}]: needs a plant and a frequency above the one before, "
-                                       "below half the rate",
+                           fmt::format("{}: points[{}]: needs a plant, and a frequency above the previous "
+                                       "one and below half the rate",
                                        origin, file.plant.points.size()),
                            "make the file with 'halbench identify DEVICE --frequency --out'");
         }
@@ -61,7 +61,7 @@ Result<FrequencyFile> parseFrequency(const std::string& text, const std::string&
         file.plant.points.push_back(*point);
     }
     if (file.plant.points.empty()) {
-        return failure(ErrorCode::InvalidInput, origin + ": points: there are none",
+        return failure(ErrorCode::InvalidInput, origin + ": points: the list is empty",
                        "make the file with 'halbench identify DEVICE --frequency --out'");
     }
     return file;

@@ -1,3 +1,5 @@
+#include "app/documents/axes_frequency_documents.h"
+#include "app/documents/axis_model_file.h"
 #include "app/documents/relay_document.h"
 #include "app/documents/result_documents.h"
 
@@ -82,6 +84,35 @@ JsonValue identificationBody(const IdentifyResult& result) {
 
 namespace {
 
+JsonValue axesBody(const AxesIdentifyResult& result) {
+    JsonValue body = axisModelBody(result.model);
+    const auto setAll = [&body](const char* key, const std::vector<NamedEstimate>& estimates) {
+        JsonValue list = JsonValue::object();
+        for (const NamedEstimate& each : estimates) {
+            list.set(each.name, toJson(each.estimate));
+        }
+        body.set(key, list);
+    };
+    setAll("constants", result.constants);
+    setAll("ratios", result.ratios);
+    body.set("duration_s", result.duration_s);
+    body.set("highest_temperature_degC", finiteOrNull(result.highestTemperature_degC));
+    JsonValue notes = JsonValue::object();
+    for (const auto& [name, value] : result.notes) {
+        notes.set(name, finiteOrNull(value));
+    }
+    return body.set("notes", notes);
+}
+
+} // namespace
+
+JsonValue identificationBody(const IdentifyOutcome& outcome) {
+    const auto* axes = std::get_if<AxesIdentifyResult>(&outcome);
+    return axes != nullptr ? axesBody(*axes) : identificationBody(std::get<IdentifyResult>(outcome));
+}
+
+namespace {
+
 /// Header first, then the body's members.
 JsonValue joined(ResultHeader header, const DataQuality& quality, const JsonValue& body) {
     header.quality = quality;
@@ -94,12 +125,24 @@ JsonValue joined(ResultHeader header, const DataQuality& quality, const JsonValu
 
 } // namespace
 
+JsonValue identificationDocument(ResultHeader header, const IdentifyOutcome& outcome) {
+    if (std::holds_alternative<AxesIdentifyResult>(outcome)) {
+        header.schema = AxisModelSchema;
+    }
+    return joined(std::move(header), qualityOf(outcome), identificationBody(outcome));
+}
+
 JsonValue identificationDocument(ResultHeader header, const IdentifyResult& result) {
     return joined(std::move(header), result.quality, identificationBody(result));
 }
 
 JsonValue frequencyDocument(ResultHeader header, const FrequencyResult& result) {
     return joined(std::move(header), result.quality, frequencyBody(result));
+}
+
+JsonValue axesFrequencyDocument(ResultHeader header, const AxesFrequencyResult& result) {
+    header.schema = AxisFrequencySchema;
+    return joined(std::move(header), result.quality, axesFrequencyBody(result));
 }
 
 JsonValue relayDocument(ResultHeader header, const RelayResult& result) {

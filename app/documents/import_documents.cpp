@@ -74,11 +74,11 @@ DataQuality qualityOf(const devices::CsvPlan& plan, const devices::CsvImport* im
     DataQuality quality;
     for (const devices::CsvColumn& column : plan.columns) {
         if (!column.isUnitKnown && !column.written.empty()) {
-            addFinding(quality, {"unit_not_known",
-                                 fmt::format("the unit '{}' of column '{}' is not known: its numbers stay as "
-                                             "they are, without a unit",
-                                             column.written, column.header),
-                                 "say its unit with --unit"});
+            addFinding(quality,
+                       {"unit_not_known",
+                        fmt::format("unknown unit '{}' of column '{}': numbers are kept without a unit",
+                                    column.written, column.header),
+                        "give its unit with --unit"});
         }
     }
     if (import == nullptr) {
@@ -87,13 +87,13 @@ DataQuality qualityOf(const devices::CsvPlan& plan, const devices::CsvImport* im
     if (!import->isUniform) {
         addFinding(quality,
                    {"time_not_uniform",
-                    fmt::format("the steps of the time lie between {} s and {} s",
-                                formatNumber(import->shortestStep_s), formatNumber(import->longestStep_s)),
-                    "the times are kept as they are; what needs an even rate may refuse them"});
+                    fmt::format("uneven time steps: {} s to {} s", formatNumber(import->shortestStep_s),
+                                formatNumber(import->longestStep_s)),
+                    "times are not changed; functions that need a constant rate may reject the recording"});
     }
     if (import->recording.lostRows > 0) {
         addFinding(quality, {"rows_lost", fmt::format("{} rows are missing", import->recording.lostRows),
-                             "the sidecar says where"});
+                             "positions in the .meta.json file"});
     }
     return quality;
 }

@@ -1,8 +1,8 @@
 #include "app/documents/law_code.h"
 
-#include "app/documents/shaped_gains.h"
+#include "app/documents/filtered_gains.h"
 #include "app/documents/text/output_file.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ constexpr const char* BoardEquation = R"( *   u = KP e + x + KD (ref' - (angle[k
  *   e = ref - angle, u limited to +-LIMIT; while it is limited x changes only if e u < 0:
  *   x += TS KI e
 )";
-constexpr const char* ShapedEquation = R"( *   u = F [ KP (WEIGHT_B ref - angle) + x + KD d ]
+constexpr const char* FilteredEquation = R"( *   u = F [ KP (WEIGHT_B ref - angle) + x + KD d ]
  *       + INERTIA ref'' + VISCOUS ref' + COULOMB sat(ref'/COULOMB_SPEED)
  *       + (|ref'| < STICTION_SPEED and |e| > STICTION_THRESHOLD) STICTION sgn(e)
  *   d = (TF d + TS ((1 - WEIGHT_C) ref' + (w[k] - w[k-1])/TS))/(TF + TS), w = WEIGHT_C ref - angle:
@@ -78,7 +78,7 @@ static inline double position_law_step(position_law* law, double angle_rad, doub
 constexpr const char* BoardMoved =
     R"(    double moved = law->is_started ? angle_rad - law->previous_angle_rad : 0.0;
 )";
-constexpr const char* ShapedMoved = R"(    double weighted = WEIGHT_C * ref_rad - angle_rad;
+constexpr const char* FilteredMoved = R"(    double weighted = WEIGHT_C * ref_rad - angle_rad;
     double moved = law->is_started ? weighted - law->previous_weighted_rad : 0.0;
 )";
 constexpr const char* StepBody = R"(    double speed = ref_rad_s < 0.0 ? -ref_rad_s : ref_rad_s;
@@ -103,7 +103,7 @@ constexpr const char* BoardEnd = R"(    law->previous_angle_rad = angle_rad;
     return current;
 }
 )";
-constexpr const char* ShapedEnd = R"(    law->previous_weighted_rad = weighted;
+constexpr const char* FilteredEnd = R"(    law->previous_weighted_rad = weighted;
     law->is_started = 1;
     return current;
 }
@@ -156,11 +156,11 @@ std::string constants(const control::PositionLaw& law, const control::PidGains& 
     return text + constant("LIMIT", conditions.currentLimit_A, "A");
 }
 
-/// What only a shaped law has, as the program's own filters have it.
-std::string shapedConstants(const control::ShapedLaw& shaped, const control::PidGains& gains,
-                            const std::vector<control::LawSection<double>>& sections) {
-    std::string text = constant("WEIGHT_B", shaped.proportionalWeight, "set-point weight of KP");
-    text += constant("WEIGHT_C", shaped.derivativeWeight, "set-point weight of KD");
+/// What only a filtered law has, as the program's own filters have it.
+std::string filteredConstants(const control::FilteredLaw& filtered, const control::PidGains& gains,
+                              const std::vector<control::LawSection<double>>& sections) {
+    std::string text = constant("WEIGHT_B", filtered.proportionalWeight, "set-point weight of KP");
+    text += constant("WEIGHT_C", filtered.derivativeWeight, "set-point weight of KD");
     text += constant("TF", gains.filter_s.value_or(0.0), "s, filter on the derivative");
     if (sections.empty()) {
         return text;
@@ -170,12 +170,12 @@ std::string shapedConstants(const control::ShapedLaw& shaped, const control::Pid
     for (std::size_t i = 0; i < sections.size(); ++i) {
         const control::LawSection<double>& f = sections[i];
         text += fmt::format("    {{{}, {}, {}, {}, {}}}, /* {} */\n", number(f.b0), number(f.b1),
-                            number(f.b2), number(f.a1), number(f.a2), filterWords(shaped.filters[i]));
+                            number(f.b2), number(f.a1), number(f.a2), filterWords(filtered.filters[i]));
     }
     return text + "};\n";
 }
 
-std::string shapedMemory(bool hasFilters) {
+std::string filteredMemory(bool hasFilters) {
     std::string text = hasFilters ? SectionMemory : "";
     text += "\ntypedef struct {\n    double integral_A;\n    double rate_rad_s;\n"
             "    double previous_weighted_rad;\n";
@@ -191,7 +191,7 @@ std::string shapedMemory(bool hasFilters) {
     return text + "    law->is_started = 0;\n}\n";
 }
 
-std::string shapedDemand(bool hasFilters) {
+std::string filteredDemand(bool hasFilters) {
     std::string text =
         "    double current;\n    double demand;\n"
         "    law->rate_rad_s = (TF * law->rate_rad_s + TS * ((1.0 - WEIGHT_C) * ref_rad_s + moved / TS)) /\n"
@@ -210,21 +210,21 @@ std::string boardCode(const control::PositionLaw& law, const LoopConditions& con
 } // namespace
 
 Result<std::string> lawCode(const LoopLaw& law, const LoopConditions& conditions, const LawOrigin& origin) {
-    if (!law.shaped) {
+    if (!law.filtered) {
         return boardCode(law.law, conditions, origin);
     }
-    const control::ShapedLaw& shaped = *law.shaped;
+    const control::FilteredLaw& filtered = *law.filtered;
     const double period_s = conditions.timing.period_s;
-    const auto gains = control::checkedGains(shaped, period_s);
-    const auto sections = control::filterSections(shaped.filters, period_s);
+    const auto gains = control::checkedGains(filtered, period_s);
+    const auto sections = control::filterSections(filtered.filters, period_s);
     if (!gains || !sections) {
         return failure(gains ? sections.error() : gains.error());
     }
     const bool hasFilters = !sections->empty();
-    return head(origin, ShapedEquation) + constants(law.law, *gains, conditions) +
-           shapedConstants(shaped, *gains, *sections) + shapedMemory(hasFilters) + Sign +
-           (hasFilters ? SectionStep : "") + StepHead + ShapedMoved + StepBody + shapedDemand(hasFilters) +
-           StepTail + ShapedEnd;
+    return head(origin, FilteredEquation) + constants(law.law, *gains, conditions) +
+           filteredConstants(filtered, *gains, *sections) + filteredMemory(hasFilters) + Sign +
+           (hasFilters ? SectionStep : "") + StepHead + FilteredMoved + StepBody +
+           filteredDemand(hasFilters) + StepTail + FilteredEnd;
 }
 
 Result<void> writeLaw(const std::string& path, const LoopLaw& law, const LoopConditions& conditions,

@@ -18,7 +18,7 @@ struct LawOrigin {
 /// function that starts it and one that is called once per sample. The board's law, or a filtered one as
 /// `BoardLawRun` has it: each filter a section of its own, sampled as its loop was judged. The numbers
 /// are written so that reading them gives the same bits. The dead time of the loop belongs to the board and
-/// is not in it. Help: resources/help/tuning.md, "The law for another controller". Errors: of a shaped law.
+/// is not in it. Help: resources/help/tuning.md, "The law for another controller". Errors: of a filtered law.
 Result<std::string> lawCode(const LoopLaw& law, const LoopConditions& conditions, const LawOrigin& origin);
 
 /// The same into a file; without a path nothing is done. Error: FileSystem.

@@ -1,6 +1,6 @@
+#include "app/documents/filtered_gains.h"
 #include "app/documents/result_documents.h"
-#include "app/documents/shaped_gains.h"
-#include "control/assess/proof.h"
+#include "control/assess/loop_assessment.h"
 #include "control/base/units.h"
 
 #include <cmath>
@@ -78,7 +78,7 @@ JsonValue toJson(const std::optional<control::Robustness::Interval>& interval) {
 
 /// Null for a model without uncertainty: a point is not an interval.
 JsonValue intervalsOf(const control::Robustness& robust) {
-    if (!robust.gainMargin_ratio) {
+    if (!robust.phaseMargin_deg) {
         return {};
     }
     JsonValue body = JsonValue::object();
@@ -148,18 +148,20 @@ JsonValue boundsOf(const std::optional<control::LeastErrorBounds>& bounds) {
 
 /// What a design is judged by beside its margins; null for a loop that grows beyond all numbers.
 JsonValue proofOf(const TuneResult& result) {
-    const auto& proof = result.proof;
-    if (!proof) {
+    const auto& assessment = result.assessment;
+    if (!assessment) {
         return {};
     }
-    const auto ifStable = [&](double value) { return proof->isStable ? finiteOrNull(value) : JsonValue(); };
+    const auto ifStable = [&](double value) {
+        return assessment->isStable ? finiteOrNull(value) : JsonValue();
+    };
     JsonValue body = JsonValue::object();
-    body.set("max_sensitivity", finiteOrNull(proof->peaks.Ms_ratio));
-    body.set("max_complementary_sensitivity", finiteOrNull(proof->peaks.Mt_ratio));
-    body.set("noise_gain_A_per_rad", finiteOrNull(proof->noiseGain_A_per_rad));
-    body.set("peak_current_A_per_rad", ifStable(proof->peakCurrent_A));
-    body.set("largest_linear_step_rad", ifStable(proof->largestStep_rad));
-    body.set("pole_radius_one_sample_later", finiteOrNull(proof->poleRadiusOneSampleLater));
+    body.set("max_sensitivity", finiteOrNull(assessment->peaks.Ms_ratio));
+    body.set("max_complementary_sensitivity", finiteOrNull(assessment->peaks.Mt_ratio));
+    body.set("noise_gain_A_per_rad", finiteOrNull(assessment->noiseGain_A_per_rad));
+    body.set("peak_current_A_per_rad", ifStable(assessment->peakCurrent_A));
+    body.set("largest_linear_step_rad", ifStable(assessment->largestStep_rad));
+    body.set("pole_radius_one_sample_later", finiteOrNull(assessment->poleRadiusOneSampleLater));
     return body.set("bounds", boundsOf(result.bounds));
 }
 
@@ -262,8 +264,8 @@ JsonValue gainsBody(const TuneResult& result) {
     body.set("sample_period_s", result.conditions.timing.period_s);
     body.set("delay_samples", result.conditions.timing.delay_samples);
     body.set("gains", gainsOf(result.law)).set("forms", formsOf(result.law.gains));
-    if (result.shaped) {
-        setShaping(body, *result.shaped);
+    if (result.filtered) {
+        setShaping(body, *result.filtered);
     }
     body.set("predicted", analysisBody(result.predicted));
     setJudgement(body, result);

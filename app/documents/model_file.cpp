@@ -3,6 +3,7 @@
 #include "app/documents/document_parts.h"
 #include "app/documents/document_units.h"
 #include "app/documents/text/output_file.h"
+#include "app/procedures/base/doubtful_source.h"
 #include "control/law/board_gains.h"
 
 #include <fmt/format.h>
@@ -171,8 +172,8 @@ void checkRatios(DocumentReader& reader, const MotorEstimate& estimate) {
             reader.fail(fmt::format("ratios.{}.value", ratio.symbol),
                         fmt::format("is {:.6g}, but the parameters say {}/{} = {:.6g}", *stated, ratio.above,
                                     ratio.below, computed),
-                        "the values of a model belong together: identify again with --given, e.g. 'halbench "
-                        "identify FILE.csv --given J=5.5e-4 --out'");
+                        "the values of a model depend on each other: identify again with --given, e.g. "
+                        "'halbench identify FILE.csv --given J=5.5e-4 --out'");
         }
     }
 }
@@ -275,9 +276,9 @@ void refuseUnknown(DocumentReader& reader) {
         const bool isKnown =
             std::any_of(Known.begin(), Known.end(), [&gain](const char* name) { return gain.key == name; });
         if (!isKnown && !gain.value.isNull()) {
-            reader.fail("gains." + gain.key, "is nothing that the board's law has",
-                        "leave it out to use these gains; weights and filters are judged by 'halbench "
-                        "analyse' and 'halbench tune --gains'");
+            reader.fail("gains." + gain.key, "not available in the device's control law",
+                        "omit it to use these gains; weights and filters are assessed by 'halbench analyse' "
+                        "and 'halbench tune --gains'");
         }
     }
 }
@@ -316,6 +317,67 @@ control::DesignTargets targetsOf(const JsonValue* targets) {
 
 } // namespace
 
+namespace {
+
+/// An interval of what must be positive, as far as the file has one.
+std::optional<std::pair<double, double>> intervalAt(DocumentReader& reader, const std::string& path) {
+    const JsonValue* interval = reader.find(path + ".ci95", false);
+    if (interval == nullptr || !interval->isArray() || interval->items().size() != 2 ||
+        !interval->items()[0].isNumber() || !interval->items()[1].isNumber()) {
+        return std::nullopt; // checkIntervals() has judged it
+    }
+    return std::pair(interval->items()[0].number(), interval->items()[1].number());
+}
+
+void checkIntervals(DocumentReader& reader) {
+    for (const ModelQuantity& quantity : ModelQuantities) {
+        const JsonValue* written = reader.find(quantity.path, false);
+        if (const auto problem = written != nullptr ? intervalProblem(*written) : std::nullopt) {
+            reader.fail(std::string(quantity.path) + ".ci95", *problem);
+        }
+    }
+}
+
+/// No motor has a constant below zero. Damping and friction may come out a little below it within their
+/// interval.
+void checkSigns(DocumentReader& reader, const MotorEstimate& estimate) {
+    for (const ModelQuantity& quantity : ModelQuantities) {
+        const auto found = estimate.values.find(quantity.symbol);
+        const std::string_view symbol = quantity.symbol;
+        const bool mayBeZero = symbol.starts_with("c") || symbol.starts_with("Kf");
+        if (found == estimate.values.end() || found->second > 0.0 || (mayBeZero && found->second == 0.0)) {
+            continue;
+        }
+        const auto interval = intervalAt(reader, quantity.path);
+        if (!mayBeZero || !interval || interval->second < 0.0) {
+            reader.fail(std::string(quantity.path) + ".value",
+                        fmt::format("is {:.6g}, not possible for a motor", found->second),
+                        "check the signs of current and angle in the recording, then identify again");
+        }
+    }
+    if (const auto gain = intervalAt(reader, "ratios.phi_over_J"); gain && gain->first <= 0.0) {
+        reader.fail("ratios.phi_over_J.ci95",
+                    fmt::format("reaches from {:.6g} to {:.6g}: the sign of the torque constant is unknown",
+                                gain->first, gain->second),
+                    "identify again with larger currents");
+    }
+}
+
+/// A damping rate that may be negative leaves the loop in doubt, whatever the file's verdict says.
+DataQuality judgedQuality(DocumentReader& reader, DataQuality quality) {
+    const auto damping = intervalAt(reader, "ratios.c_over_J");
+    if (damping && damping->first < 0.0) {
+        quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
+        quality.findings.push_back(
+            {"damping_below_zero",
+             fmt::format("lower end of the interval of c/J: {:.4g} 1/s", damping->first),
+             "use a longer time at each current"});
+    }
+    return quality;
+}
+
+} // namespace
+
 Result<ModelFile> parseModel(const std::string& text, const std::string& origin) {
     const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
@@ -331,23 +393,38 @@ Result<ModelFile> parseModel(const std::string& text, const std::string& origin)
             file.estimate.values[quantity.symbol] = *value;
         }
     }
+    checkIntervals(reader);
+    checkSigns(reader, file.estimate);
     checkRatios(reader, file.estimate);
     readCovariance(reader, file.estimate);
     file.estimate.timing = readTiming(reader);
     file.device = readDevice(reader);
     file.seed = static_cast<std::uint64_t>(reader.wholeNumber("seed", 9.0e15));
-    const std::string verdict = reader.text("data_quality.verdict");
+    (void)reader.text("data_quality.verdict");
     if (reader.error()) {
         return failure(*reader.error());
     }
-    if (verdict == "refused") {
-        return failure(ErrorCode::Refused, origin + ": this estimate was refused",
-                       "see its findings, then identify again");
+    const DataQuality quality = judgedQuality(reader, qualityOf(member(&*root, "data_quality")));
+    if (quality.verdict == Verdict::Refused) {
+        return failure(ErrorCode::Refused, origin + ": this estimate was rejected",
+                       "check its findings, then identify again");
     }
+    file.estimate.doubts = doubtsOfModel(quality);
     return file;
 }
 
+Result<void> refuseAxes(const std::string& text, const std::string& origin) {
+    const Result<JsonValue> root = parseJson(text, origin);
+    return root && root->find("axes") != nullptr
+               ? failure(ErrorCode::InvalidInput, origin + ": gains of several axes, not of a single loop",
+                         "assess them with the model of those axes")
+               : Result<void>();
+}
+
 Result<GainsFile> parseGains(const std::string& text, const std::string& origin) {
+    if (const Result<void> single = refuseAxes(text, origin); !single) {
+        return failure(single.error());
+    }
     const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
         return failure(root.error());
@@ -404,6 +481,7 @@ Result<CalibrationFile> parseCalibration(const std::string& text, const std::str
     DocumentReader reader(*root, origin, "calibrate");
     reader.requireSchema("halbench.calibration", 1);
     CalibrationFile file;
+    file.quality = qualityOf(member(&*root, "data_quality"));
     const JsonValue* applied = reader.find("applied", true);
     file.isApplied = applied != nullptr && applied->isBoolean() && applied->boolean();
     const JsonValue* figures = reader.find("figures", true);

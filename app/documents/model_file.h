@@ -27,18 +27,19 @@ struct GainsFile {
     control::DesignTargets targets;
     std::string started;                            ///< when they were found, as the file says it
     std::optional<devices::DeviceInfo> device = {}; ///< for which; absent: not said
-    /// What they ask for beyond the board's law: only of `parseShapedGains` and `readShapedGains`
-    /// (shaped_gains.h). Then no board runs them.
-    std::optional<control::ShapedLaw> shaped = {};
+    /// What they ask for beyond the board's law: only of `parseFilteredGains` and `readFilteredGains`
+    /// (filtered_gains.h). Then no board runs them.
+    std::optional<control::FilteredLaw> filtered = {};
 
-    LoopLaw loopLaw() const { return {law, shaped}; }
+    LoopLaw loopLaw() const { return {law, filtered}; }
 };
 
-/// What tuning needs of CAL.json as `calibrate --out` wrote it.
+/// CAL.json as `calibrate --out` wrote it, as far as tuning needs it.
 struct CalibrationFile {
     std::optional<std::pair<double, double>> stray95_T_per_A; ///< absent: not calibrated or refused
     double stray_T_per_A = 0.0;                               ///< the estimate itself
     bool isApplied = false;                                   ///< it runs on the board
+    DataQuality quality;
 };
 
 /// Errors: FileSystem; InvalidInput naming file and key (no JSON, wrong schema, newer version, missing key,
@@ -46,6 +47,9 @@ struct CalibrationFile {
 Result<ModelFile> readModelFile(const std::string& path);
 Result<GainsFile> readGainsFile(const std::string& path);
 Result<CalibrationFile> readCalibrationFile(const std::string& path);
+
+/// Gains of several axes are none of a single loop. Error: InvalidInput.
+Result<void> refuseAxes(const std::string& text, const std::string& origin);
 
 /// The same from text; `origin` names it in messages.
 Result<ModelFile> parseModel(const std::string& text, const std::string& origin);

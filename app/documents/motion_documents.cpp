@@ -27,11 +27,15 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
-JsonValue runOf(const MoveRepetition& repetition, std::size_t run) {
+double inUnit(double position, const std::string& unit) {
+    return unit == "deg" ? radiansToDegrees(position) : position;
+}
+
+JsonValue runOf(const MoveRepetition& repetition, std::size_t run, const std::string& unit) {
     JsonValue entry = JsonValue::object();
-    entry.set("start_deg", finiteOrNull(radiansToDegrees(repetition.start_rad[run])));
-    entry.set("max_error_deg", finiteOrNull(radiansToDegrees(repetition.maxError_rad[run])));
-    return entry.set("peak_to_peak_deg", finiteOrNull(radiansToDegrees(repetition.peakToPeak_rad[run])));
+    entry.set("start_" + unit, finiteOrNull(inUnit(repetition.start_rad[run], unit)));
+    entry.set("max_error_" + unit, finiteOrNull(inUnit(repetition.maxError_rad[run], unit)));
+    return entry.set("peak_to_peak_" + unit, finiteOrNull(inUnit(repetition.peakToPeak_rad[run], unit)));
 }
 
 JsonValue agreementOf(const VerificationBand& band, bool isWithin) {
@@ -76,8 +80,7 @@ JsonValue calibrationBody(const CalibrateResult& result) {
 JsonValue moveFigures(const MoveFigures& figures, const std::string& unit) {
     JsonValue body = JsonValue::object();
     const auto setPosition = [&](const char* name, double position) {
-        body.set(fmt::format("{}_{}", name, unit),
-                 finiteOrNull(unit == "deg" ? radiansToDegrees(position) : position));
+        body.set(fmt::format("{}_{}", name, unit), finiteOrNull(inUnit(position, unit)));
     };
     body.set("rise_time_s", finiteOrNull(figures.riseTime_s));
     body.set("overshoot_percent", finiteOrNull(figures.overshoot_percent));
@@ -90,9 +93,40 @@ JsonValue moveFigures(const MoveFigures& figures, const std::string& unit) {
     setPosition("peak_error", figures.peakError);
     setPosition("first_second_error", figures.firstSecondError);
     setPosition("peak_to_peak", figures.peakToPeak);
+    if (unit != "deg") { // boards with one axis have no travels
+        body.set("rest_rms_" + unit, finiteOrNull(figures.restRms));
+        body.set(fmt::format("ramp_end_speed_{}_s", unit), finiteOrNull(figures.rampEndSpeed));
+    }
     body.set("lock_time_s", finiteOrNull(figures.lockTime_s));
     body.set("gain", finiteOrNull(figures.gain_ratio));
     return body.set("phase_deg", finiteOrNull(figures.phase_deg));
+}
+
+namespace {
+
+JsonValue stairsBody(const MoveResult& result, const std::string& unit) {
+    JsonValue stairs = JsonValue::array();
+    for (std::size_t i = 0; i < result.figures().stairs.size(); ++i) {
+        const StairFigures& stair = result.figures().stairs[i];
+        JsonValue entry = JsonValue::object();
+        entry.set("rise_time_s", finiteOrNull(stair.riseTime_s));
+        entry.set("settling_time_s", finiteOrNull(stair.settlingTime_s));
+        entry.set("overshoot_percent", finiteOrNull(stair.overshoot_percent));
+        entry.set("mean_" + unit, finiteOrNull(stair.mean));
+        stairs.push(entry.set("measured_mean_" + unit, finiteOrNull(result.measured.stairs[i].mean)));
+    }
+    return stairs;
+}
+
+} // namespace
+
+JsonValue contourBody(const PathResult& path) {
+    const std::string& unit = path.axis.positionUnit;
+    const ContourError& error = path.trueContour ? *path.trueContour : path.measuredContour;
+    JsonValue body = JsonValue::object();
+    body.set("rms_" + unit, finiteOrNull(error.rms)).set("peak_" + unit, finiteOrNull(error.peak));
+    body.set("measured_rms_" + unit, finiteOrNull(path.measuredContour.rms));
+    return body.set("measured_peak_" + unit, finiteOrNull(path.measuredContour.peak));
 }
 
 JsonValue moveBody(const MoveResult& result) {
@@ -106,6 +140,8 @@ JsonValue moveBody(const MoveResult& result) {
     if (isOneOfSeveral) {
         body.set("lock_threshold_" + unit, finiteOrNull(result.lockThreshold));
         body.set("peak_effort_" + suffixOf(result.axis.effortUnit), finiteOrNull(result.peakEffort));
+        body.set("travel_s", finiteOrNull(result.travel_s));
+        body.set("stairs", result.measured.stairs.empty() ? JsonValue() : stairsBody(result, unit));
     } else {
         body.set("lock_threshold_deg", degreesOrNull(result.lockThreshold));
     }
@@ -113,36 +149,72 @@ JsonValue moveBody(const MoveResult& result) {
     return body.set("highest_temperature_degC", finiteOrNull(result.highestTemperature_degC));
 }
 
-JsonValue movedAxes(const MoveResult& result) {
+namespace {
+
+JsonValue crossAxes(const MoveResult& result) {
     JsonValue others = JsonValue::array();
     for (const CrossAxisPeak& other : result.others) {
         const std::string& unit = other.axis.positionUnit;
         JsonValue entry = JsonValue::object();
         entry.set("axis", other.axis.id);
         entry.set("peak_" + unit, finiteOrNull(other.truth ? *other.truth : other.measured));
-        others.push(entry.set("measured_peak_" + unit, finiteOrNull(other.measured)));
+        entry.set("measured_peak_" + unit, finiteOrNull(other.measured));
+        const auto& restRms = other.truth ? other.trueRestRms : other.measuredRestRms;
+        entry.set("rest_rms_" + unit, finiteOrNull(restRms));
+        others.push(entry.set("measured_rest_rms_" + unit, finiteOrNull(other.measuredRestRms)));
     }
-    JsonValue entry = JsonValue::object();
-    entry.set("axis", result.axis.id).set("figures", moveBody(result));
-    entry.set("predicted", JsonValue()); // no model of such an axis is known yet
-    JsonValue axes = JsonValue::array();
-    return axes.push(entry.set("cross_axes", others));
+    return others;
 }
 
-JsonValue repetitionBody(const MoveRepetition& repetition) {
+JsonValue movedAxis(const MoveResult& result, const std::optional<MoveFigures>& predicted) {
+    JsonValue entry = JsonValue::object();
+    entry.set("axis", result.axis.id).set("figures", moveBody(result));
+    entry.set("predicted", predicted ? moveFigures(*predicted, result.axis.positionUnit) : JsonValue());
+    return entry.set("cross_axes", crossAxes(result));
+}
+
+/// As if the second axis of a path were the one that moved.
+MoveResult secondOf(const MoveResult& result) {
+    MoveResult second;
+    second.axis = result.path->axis;
+    second.measured = result.path->measured;
+    second.truth = result.path->truth;
+    second.peakEffort = result.path->peakEffort;
+    second.lockThreshold = result.lockThreshold;
+    second.others = result.others;
+    second.travel_s = result.travel_s;
+    second.peakCurrent_A = result.peakCurrent_A;
+    second.highestTemperature_degC = result.highestTemperature_degC;
+    return second;
+}
+
+} // namespace
+
+JsonValue movedAxes(const MoveResult& result, const std::optional<MoveFigures>& predicted) {
+    JsonValue axes = JsonValue::array();
+    axes.push(movedAxis(result, predicted));
+    if (result.path) {
+        axes.push(movedAxis(secondOf(result), std::nullopt));
+    }
+    return axes;
+}
+
+JsonValue repetitionBody(const MoveRepetition& repetition, const std::string& unit) {
     const std::vector<double>& swings_rad = repetition.peakToPeak_rad;
     const auto [least, most] = std::minmax_element(swings_rad.begin(), swings_rad.end());
     JsonValue runs = JsonValue::array();
     for (std::size_t run = 0; run < swings_rad.size(); ++run) {
-        runs.push(runOf(repetition, run));
+        runs.push(runOf(repetition, run, unit));
     }
     JsonValue body = JsonValue::object();
     body.set("count", repetition.config.count);
-    body.set("settled_deg", degreesOrNull(repetition.config.settled_rad));
+    if (unit == "deg") {
+        body.set("settled_deg", degreesOrNull(repetition.config.settled_rad));
+    }
     body.set("settled_fraction", finiteOrNull(repetition.settled_ratio()));
-    body.set("least_peak_to_peak_deg", finiteOrNull(radiansToDegrees(*least)));
-    body.set("median_peak_to_peak_deg", finiteOrNull(radiansToDegrees(median(swings_rad))));
-    body.set("largest_peak_to_peak_deg", finiteOrNull(radiansToDegrees(*most)));
+    body.set("least_peak_to_peak_" + unit, finiteOrNull(inUnit(*least, unit)));
+    body.set("median_peak_to_peak_" + unit, finiteOrNull(inUnit(median(swings_rad), unit)));
+    body.set("largest_peak_to_peak_" + unit, finiteOrNull(inUnit(*most, unit)));
     return body.set("runs", runs);
 }
 

@@ -4,6 +4,7 @@
 #include "app/documents/document_units.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/output_file.h"
+#include "app/procedures/base/doubtful_source.h"
 #include "control/base/units.h"
 
 #include <cmath>
@@ -90,7 +91,7 @@ Result<RelayFile> parseRelay(const std::string& text, const std::string& origin)
     }
     if (qualityOf(member(&*root, "data_quality")).verdict == Verdict::Refused) {
         return failure(ErrorCode::Refused, origin + ": this relay experiment was refused",
-                       "see its findings, then measure again");
+                       "check its findings, then measure again");
     }
     const auto gain = numberIn(member(&*root, "ultimate_gain"), "value");
     const auto period_s = numberIn(member(&*root, "ultimate_period"), "value");
@@ -104,7 +105,11 @@ Result<RelayFile> parseRelay(const std::string& text, const std::string& origin)
         return failure(ErrorCode::InvalidInput, origin + ": sample_period_s, delay_samples: are missing",
                        Remedy);
     }
-    return RelayFile{headerOf(*root), *gain, *period_s, {*sample_s, static_cast<int>(std::lround(*delay))}};
+    return RelayFile{headerOf(*root),
+                     *gain,
+                     *period_s,
+                     {*sample_s, static_cast<int>(std::lround(*delay))},
+                     doubtsOfRelay(qualityOf(member(&*root, "data_quality")))};
 }
 
 Result<RelayFile> readRelayFile(const std::string& path) {

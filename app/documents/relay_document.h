@@ -12,12 +12,13 @@ JsonValue relayDocument(ResultHeader header, const RelayResult& result);
 /// The same without the header, for the steps of a run.
 JsonValue relayBody(const RelayResult& result);
 
-/// What tuning needs of RELAY.json.
+/// RELAY.json, as far as tuning needs it.
 struct RelayFile {
     ResultHeader header;
     double ultimateGain_A_per_rad = 0.0;
     double ultimatePeriod_s = 0.0;
-    control::LoopTiming timing; ///< of the loop that swung
+    control::LoopTiming timing;       ///< of the loop that swung
+    std::vector<Finding> doubts = {}; ///< of the experiment (doubtsOfRelay)
 };
 
 /// Errors: FileSystem; InvalidInput with the place; Refused for a result that was refused.

@@ -7,7 +7,7 @@
 #include "app/procedures/apply/live_apply_procedure.h"
 #include "app/procedures/calibrate/calibrate_procedure.h"
 #include "app/procedures/frequency/frequency_procedure.h"
-#include "app/procedures/identify/identify_procedure.h"
+#include "app/procedures/identify/axes_identification.h"
 #include "app/procedures/move/move_procedure.h"
 #include "app/procedures/move/move_repetition.h"
 #include "app/procedures/tune/tune.h"
@@ -19,6 +19,8 @@ namespace halbench::app {
 
 /// halbench.identification/1
 JsonValue identificationDocument(ResultHeader header, const IdentifyResult& result);
+/// Likewise, or halbench.axis-model/1 of a device with several axes.
+JsonValue identificationDocument(ResultHeader header, const IdentifyOutcome& outcome);
 /// halbench.frequency/1
 JsonValue frequencyDocument(ResultHeader header, const FrequencyResult& result);
 /// halbench.calibration/1
@@ -30,6 +32,7 @@ JsonValue analysisDocument(ResultHeader header, const AnalysisResult& result);
 
 /// The same without the header, for the steps of a run and for parts of other results.
 JsonValue identificationBody(const IdentifyResult& result);
+JsonValue identificationBody(const IdentifyOutcome& outcome);
 JsonValue frequencyBody(const FrequencyResult& result);
 JsonValue calibrationBody(const CalibrateResult& result);
 JsonValue gainsBody(const TuneResult& result);
@@ -38,10 +41,14 @@ JsonValue analysisBody(const AnalysisResult& result);
 void setJudgement(JsonValue& body, const TuneResult& result);
 /// The figures of the axis that moved: on a device with one axis angles in degrees, with several in SI units.
 JsonValue moveBody(const MoveResult& result);
-/// `axes` of a move on a device with several: figures of the one that moved, and how far the others went.
-JsonValue movedAxes(const MoveResult& result);
-/// Of a move that was repeated; it holds at least one run.
-JsonValue repetitionBody(const MoveRepetition& repetition);
+/// `axes` of a move on a device with several: figures of the one that moved, what its model foresees where
+/// one is known, and how far the others went.
+JsonValue movedAxes(const MoveResult& result, const std::optional<MoveFigures>& predicted = {});
+/// How near both axes of a path kept to it.
+JsonValue contourBody(const PathResult& path);
+/// The figures of a move that was repeated; it holds at least one run. `unit`: "deg", or the position unit of
+/// an axis.
+JsonValue repetitionBody(const MoveRepetition& repetition, const std::string& unit = "deg");
 /// `unit` of the positions: "deg" or that of the axis.
 JsonValue moveFigures(const MoveFigures& figures, const std::string& unit = "deg");
 JsonValue amplifierBody(const AmplifierAnalysis& result);

@@ -79,7 +79,7 @@ std::optional<Finding> foreignMotor(const std::optional<devices::DeviceInfo>& id
     if (!identified || identified->id.empty()) {
         return std::nullopt;
     }
-    const char* hint = "identify this device and tune with that model";
+    const char* hint = "identify this device and use its model for tuning";
     if (identified->model != device.model || identified->id != device.id) {
         return Finding{"other_device",
                        fmt::format("the model was identified on the {} '{}', this device is the {} '{}'",

@@ -1,5 +1,6 @@
 #include "app/experiments/experiment_keys.h"
 
+#include "app/analyses/registry/analyses.h"
 #include "app/documents/presets.h"
 #include "app/documents/text/names.h"
 
@@ -37,18 +38,21 @@ constexpr std::array KnownKeys = {
     KeySpec{"identify", "currents_A.to", Number, true, 0, 1000, "", "last current, A"},
     KeySpec{"identify", "currents_A.step", Number, true, 1e-6, 1000, "", "distance, A"},
     KeySpec{"identify", "directions", Choice, false, 0, 0, "both|forward|reverse", "directions of the sweep; default both"},
-    KeySpec{"identify", "given", Numbers, false, 0, 0, "", "known constants J, c, Kf, phi in SI, taken as exact"},
+    KeySpec{"identify", "axis", Name, false, 0, 0, "", "axis of a device with several, or all; default all"},
+    KeySpec{"identify", "given", Numbers, false, 0, 0, "", "known constants in SI, taken as exact: J, c, Kf, phi of a motor, m or Iz of a platen"},
     KeySpec{"identify", "bare", Name, false, 0, 0, "", "identify step of the same motor without the added inertia"},
     KeySpec{"identify", "added_inertia_kg_m2", Number, false, 1e-12, 1e6, "", "inertia fixed to the rotor since `bare`"},
     KeySpec{"identify", "speed_limit_rad_s", Number, false, 0.1, 1e4, "", "speed window; default 40"},
     KeySpec{"identify", "usable_speed_rad_s", Number, false, 0, 1e4, "", "slower plateaus are not fitted; default 3"},
 
+    KeySpec{"frequency", "axis", Name, false, 0, 0, "", "axis of a device with several, or all; default all"},
     KeySpec{"frequency", "excitation", Choice, false, 0, 0, "multisine|stepped-sine|chirp", "how the loop is excited; default multisine"},
-    KeySpec{"frequency", "from_hz", Number, false, 0.1, 500, "", "lowest frequency, Hz; default 0.5"},
-    KeySpec{"frequency", "to_hz", Number, false, 0.1, 500, "", "highest frequency, Hz; default 40"},
+    KeySpec{"frequency", "from_hz", Number, false, 0.1, 500, "", "lowest frequency, Hz; default 0.5, of several axes 1"},
+    KeySpec{"frequency", "to_hz", Number, false, 0.1, 500, "", "highest frequency, Hz; default 40, of several axes 50"},
     KeySpec{"frequency", "base_rad_s", Number, false, -1e4, 1e4, "", "constant speed below the excitation, at least 3 rad/s either way; default 5"},
     KeySpec{"frequency", "amplitude_deg", Number, false, 1e-3, 57, "", "of a sine of the same rms in every band; default as large as is safe"},
-    KeySpec{"frequency", "periods", Integer, false, 4, 64, "", "that are averaged; default 8"},
+    KeySpec{"frequency", "effort_ratio", Number, false, 1e-3, 0.5, "", "of several axes: amplitude over the effort that each has; default 0.25"},
+    KeySpec{"frequency", "periods", Integer, false, 4, 256, "", "that are averaged, at most 64 of a motor; default 8, of several axes 24"},
     KeySpec{"frequency", "coherence", Number, false, 0.5, 0.999, "", "least coherence of a point that is used; default 0.9"},
     KeySpec{"frequency", "speed_limit_rad_s", Number, false, 6, 1e4, "", "speed window; default 40"},
 
@@ -62,7 +66,9 @@ constexpr std::array KnownKeys = {
     KeySpec{"calibrate", "what", Choice, true, 0, 0, "hall|stray|static-friction|all", "which calibration"},
     KeySpec{"calibrate", "apply", Boolean, false, 0, 0, "", "keep the result on the device; default false"},
 
-    KeySpec{"tune", "model", Name, true, 0, 0, "", "identify step whose result is used"},
+    KeySpec{"tune", "model", Name, false, 0, 0, "", "identify step whose result is used"},
+    KeySpec{"tune", "model_file", Text, false, 0, 0, "", "of a device with several axes: its model as identify wrote it; one of model and model_file"},
+    KeySpec{"tune", "axis", Name, false, 0, 0, "", "of a device with several axes: the one that is tuned, or all; default all"},
     KeySpec{"tune", "method", Choice, false, 0, 0, Methods, "design method; default recommended"},
     KeySpec{"tune", "zeta", Number, false, 1e-6, 10, "", "target: damping ratio"},
     KeySpec{"tune", "omega_rad_s", Number, false, 1e-6, 1e6, "", "target: natural frequency, rad/s"},
@@ -97,15 +103,15 @@ constexpr std::array KnownKeys = {
 
     KeySpec{"move", "axis", Name, false, 0, 0, "", "which axis moves, on a device with several; default the only one"},
     KeySpec{"move", "reference", Table, true, 0, 0, "", "what to follow, relative to the position at the start"},
-    KeySpec{"move", "reference.shape", Choice, true, 0, 0, "step|ramp|sine|staircase|chirp|multisine", "shape"},
-    KeySpec{"move", "reference.amplitude_deg", Number, false, -1e6, 1e6, "", "height of a step or stair, amplitude, end of a ramp; degrees"},
+    KeySpec{"move", "reference.shape", Choice, true, 0, 0, "step|ramp|sine|staircase|chirp|multisine|trapezoid|s-curve|circle|raster|rest", "shape"},
+    KeySpec{"move", "reference.amplitude_deg", Number, false, -1e6, 1e6, "", "height of a step or stair, amplitude, end of a ramp, distance of a travel; degrees"},
     KeySpec{"move", "reference.amplitude_rad", Number, false, -1e5, 1e5, "", "the same in rad"},
     KeySpec{"move", "reference.amplitude_mrad", Number, false, -1e6, 1e6, "", "the same in mrad"},
     KeySpec{"move", "reference.amplitude_urad", Number, false, -1e9, 1e9, "", "the same in µrad"},
     KeySpec{"move", "reference.amplitude_m", Number, false, -1e3, 1e3, "", "the same of an axis that moves along a line, m"},
     KeySpec{"move", "reference.amplitude_mm", Number, false, -1e6, 1e6, "", "the same in mm"},
     KeySpec{"move", "reference.amplitude_um", Number, false, -1e9, 1e9, "", "the same in µm"},
-    KeySpec{"move", "reference.rate_deg_s", Number, false, -1e6, 1e6, "", "ramp: slope, degrees/s"},
+    KeySpec{"move", "reference.rate_deg_s", Number, false, -1e6, 1e6, "", "ramp: slope; travel or path: largest speed; degrees/s"},
     KeySpec{"move", "reference.rate_rad_s", Number, false, -1e5, 1e5, "", "the same in rad/s"},
     KeySpec{"move", "reference.rate_mrad_s", Number, false, -1e6, 1e6, "", "the same in mrad/s"},
     KeySpec{"move", "reference.rate_urad_s", Number, false, -1e9, 1e9, "", "the same in µrad/s"},
@@ -123,10 +129,29 @@ constexpr std::array KnownKeys = {
     KeySpec{"move", "reference.base_m_s", Number, false, -1e3, 1e3, "", "the same of an axis that moves along a line, m/s"},
     KeySpec{"move", "reference.base_mm_s", Number, false, -1e6, 1e6, "", "the same in mm/s"},
     KeySpec{"move", "reference.base_um_s", Number, false, -1e9, 1e9, "", "the same in µm/s"},
+    KeySpec{"move", "reference.acceleration_m_s2", Number, false, 0, 1e3, "", "trapezoid, s-curve, circle, raster: largest acceleration, m/s^2"},
+    KeySpec{"move", "reference.acceleration_mm_s2", Number, false, 0, 1e6, "", "the same in mm/s^2"},
+    KeySpec{"move", "reference.acceleration_rad_s2", Number, false, 0, 1e3, "", "the same of an axis that turns, rad/s^2"},
+    KeySpec{"move", "reference.acceleration_mrad_s2", Number, false, 0, 1e6, "", "the same in mrad/s^2"},
+    KeySpec{"move", "reference.jerk_m_s3", Number, false, 0, 1e6, "", "s-curve, and circle and raster where the acceleration shall not jump: largest jerk, m/s^3"},
+    KeySpec{"move", "reference.jerk_mm_s3", Number, false, 0, 1e9, "", "the same in mm/s^3"},
+    KeySpec{"move", "reference.jerk_rad_s3", Number, false, 0, 1e6, "", "the same of an axis that turns, rad/s^3"},
+    KeySpec{"move", "reference.jerk_mrad_s3", Number, false, 0, 1e9, "", "the same in mrad/s^3"},
+    KeySpec{"move", "reference.radius_m", Number, false, -1e3, 1e3, "", "circle: radius, m; the centre lies so far along the first axis"},
+    KeySpec{"move", "reference.radius_mm", Number, false, -1e6, 1e6, "", "the same in mm"},
+    KeySpec{"move", "reference.radius_um", Number, false, -1e9, 1e9, "", "the same in µm"},
+    KeySpec{"move", "reference.turns", Integer, false, 1, 1000, "", "circle: turns; default 1"},
+    KeySpec{"move", "reference.width_m", Number, false, -1e3, 1e3, "", "raster: length of a line along the first axis, m"},
+    KeySpec{"move", "reference.width_mm", Number, false, -1e6, 1e6, "", "the same in mm"},
+    KeySpec{"move", "reference.width_um", Number, false, -1e9, 1e9, "", "the same in µm"},
+    KeySpec{"move", "reference.pitch_m", Number, false, -1, 1, "", "raster: from line to line along the second axis, m"},
+    KeySpec{"move", "reference.pitch_mm", Number, false, -1e3, 1e3, "", "the same in mm"},
+    KeySpec{"move", "reference.pitch_um", Number, false, -1e6, 1e6, "", "the same in µm"},
+    KeySpec{"move", "reference.lines", Integer, false, 1, 1000, "", "raster: lines; default 1"},
     KeySpec{"move", "reference.seed", Integer, false, 0, 4294967295.0, "", "phases of a multisine"},
-    KeySpec{"move", "duration_s", Number, true, 0.01, 36000, "", "how long, s"},
-    KeySpec{"move", "evaluate_from_s", Number, false, 0, 36000, "", "errors count from here; default half of the duration"},
-    KeySpec{"move", "evaluate_to_s", Number, false, 0, 36000, "", "errors count up to here; default the end"},
+    KeySpec{"move", "duration_s", Number, false, 0.01, 36000, "", "how long, s; default of trapezoid, s-curve, circle and raster: the travel and 1 s of rest; others need it"},
+    KeySpec{"move", "evaluate_from_s", Number, false, 0, 36000, "", "errors count from here; default half of the duration, of travels and paths 0"},
+    KeySpec{"move", "evaluate_to_s", Number, false, 0, 36000, "", "errors count up to here; default the end, of travels and paths that of the way"},
     KeySpec{"move", "lock_threshold_deg", Number, false, 1e-6, 1e6, "", "error below which the rotor counts as locked to the reference: `lock_time_s`"},
     KeySpec{"move", "repeat", Integer, false, 1, 1000, "", "so many times, each from where the rotor came to rest: `repetition`"},
     KeySpec{"move", "settled_deg", Number, false, 1e-6, 1e6, "", "with `repeat`: a run has settled when its error stays below this where errors count"},
@@ -145,14 +170,64 @@ constexpr std::array KnownKeys = {
 };
 // clang-format on
 
+/// The kinds above, then the analyses.
+const std::string& allKinds() {
+    static const std::string kinds = [] {
+        std::string text(Kinds);
+        for (const Analysis& analysis : analyses()) {
+            text += '|' + std::string(analysis.name);
+        }
+        return text;
+    }();
+    return kinds;
+}
+
+KeyType typeOf(const AnalysisKey& key) {
+    switch (key.type) {
+    case AnalysisKeyType::Number:
+        return Number;
+    case AnalysisKeyType::Integer:
+        return Integer;
+    case AnalysisKeyType::Choice:
+        return Choice;
+    case AnalysisKeyType::Flag:
+        return Boolean;
+    case AnalysisKeyType::Text:
+        break;
+    }
+    return Text;
+}
+
+std::vector<KeySpec> allKeys() {
+    std::vector<KeySpec> keys(KnownKeys.begin(), KnownKeys.end());
+    for (KeySpec& key : keys) {
+        if (key.section == "step" && key.key == "kind") {
+            key.choices = allKinds();
+        }
+    }
+    for (const Analysis& analysis : analyses()) {
+        if (analysis.needsRecording) {
+            keys.push_back(
+                {analysis.name, "recording", Name, true, 0, 0, "", "step whose recording is used"});
+        }
+        for (const AnalysisKey& key : analysis.keys) {
+            const bool isText = key.type == AnalysisKeyType::Text || key.type == AnalysisKeyType::Choice;
+            keys.push_back({analysis.name, key.name, typeOf(key), false, isText ? 0.0 : key.min,
+                            isText ? 0.0 : key.max, key.choices, key.help});
+        }
+    }
+    return keys;
+}
+
 } // namespace
 
 std::span<const KeySpec> experimentKeys() {
-    return KnownKeys;
+    static const std::vector<KeySpec> keys = allKeys();
+    return keys;
 }
 
 std::vector<std::string> stepKinds() {
-    return splitList(Kinds, '|');
+    return splitList(allKinds(), '|');
 }
 
 std::vector<std::string> choicesOf(const KeySpec& spec) {
@@ -161,7 +236,7 @@ std::vector<std::string> choicesOf(const KeySpec& spec) {
 
 std::vector<const KeySpec*> keysOf(std::string_view section, std::string_view table) {
     std::vector<const KeySpec*> keys;
-    for (const KeySpec& spec : KnownKeys) {
+    for (const KeySpec& spec : experimentKeys()) {
         const std::size_t dot = spec.key.rfind('.');
         const std::string_view parent = dot == std::string_view::npos ? "" : spec.key.substr(0, dot);
         if (spec.section == section && parent == table) {

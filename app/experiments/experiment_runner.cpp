@@ -1,5 +1,6 @@
 #include "app/experiments/experiment_runner.h"
 
+#include "app/analyses/registry/analyses.h"
 #include "app/experiments/step_configs.h"
 #include "app/experiments/step_runs.h"
 #include "app/procedures/base/restored_result.h"
@@ -36,11 +37,12 @@ Result<StepOutcome> runStep(StepRun& run, const ExperimentStep& step) {
             Result<StepOutcome> outcome = entry.run(run, step);
             if (outcome) {
                 outcome->parametersBefore = before;
-                outcome->kind = step.kind;
-                outcome->name = step.name;
             }
             return outcome;
         }
+    }
+    if (const Analysis* analysis = findAnalysis(step.kind)) {
+        return runAnalysisStep(run, step, *analysis);
     }
     return failure(ErrorCode::Internal, "step kind '" + step.kind + "' has no runner");
 }
@@ -87,6 +89,8 @@ RunOutcome runExperiment(CommandContext& context, devices::Device& device, const
             outcome.stoppedBy = inStep(step, done.error());
             break;
         }
+        done->kind = step.kind;
+        done->name = step.name;
         outcome.steps.push_back(*std::move(done));
     }
     if (!outcome.stoppedBy) {

@@ -189,7 +189,7 @@ Result<void> checkSubject(const ConfigNode& step) {
     const std::string& subject = step.find("what")->text;
     for (const auto& [key, reader] : Readers) {
         if (const ConfigNode* node = step.find(key); node != nullptr && subject != reader) {
-            return complaint(*node, fmt::format("'{}' means nothing for what = \"{}\"", key, subject),
+            return complaint(*node, fmt::format("'{}' is not used with what = \"{}\"", key, subject),
                              fmt::format("it belongs to \"{}\"", reader));
         }
     }
@@ -201,7 +201,7 @@ Result<void> checkRecording(const ConfigNode& step) {
     for (const char* key : {"pre_trigger_s", "wait_s"}) {
         if (const ConfigNode* node = step.find(key); node != nullptr && trigger == nullptr) {
             return complaint(*node, fmt::format("'{}' needs a 'trigger'", key),
-                             "say what is waited for, e.g. trigger = \"speed>10\"");
+                             "give the trigger, e.g. trigger = \"speed>10\"");
         }
     }
     if (trigger == nullptr) {
@@ -228,7 +228,7 @@ Result<void> checkReferenceUnits(const ConfigNode* reference) {
             }
         }
         if (keys.size() > 1) {
-            return complaint(*reference, fmt::format("'{}' and '{}' say the same", keys[0], keys[1]),
+            return complaint(*reference, fmt::format("'{}' and '{}' exclude each other", keys[0], keys[1]),
                              "give one");
         }
     }
@@ -246,6 +246,9 @@ Result<void> checkCombination(const ConfigNode& step) {
     }
     if (kind == "apply" && has(&step, "verify_step_deg") && !has(&step, "gains") && !has(&step, "model")) {
         return complaint(step, "'verify_step_deg' needs a 'model' beside a preset", "name an identify step");
+    }
+    if (kind == "tune" && has(&step, "model") == has(&step, "model_file")) {
+        return complaint(step, "needs one of 'model' and 'model_file'", "name an identify step or a file");
     }
     if (kind == "identify" && has(&step, "bare") != has(&step, "added_inertia_kg_m2")) {
         return complaint(step, "'bare' and 'added_inertia_kg_m2' belong together", "give both or none");
@@ -273,9 +276,9 @@ Result<void> checkCombination(const ConfigNode& step) {
 
 /// A step may use the results of steps before it only.
 Result<void> checkUses(const ConfigNode& step, const std::vector<const ConfigNode*>& earlier) {
-    constexpr std::array<std::pair<const char*, const char*>, 4> Uses = {
+    constexpr std::array<std::pair<const char*, const char*>, 5> Uses = {
         std::pair("model", "identify"), std::pair("gains", "tune"), std::pair("bare", "identify"),
-        std::pair("relay", "relay")};
+        std::pair("relay", "relay"), std::pair("recording", "record")};
     for (const auto& use : Uses) {
         const ConfigNode* used = step.find(use.first);
         const auto isMeant = [&](const ConfigNode* other) {
@@ -286,7 +289,7 @@ Result<void> checkUses(const ConfigNode& step, const std::vector<const ConfigNod
             return complaint(*used,
                              fmt::format("'{}': no earlier step of kind {} is called \"{}\"", use.first,
                                          use.second, used->text),
-                             "name a step that stands before this one");
+                             "use an earlier step");
         }
     }
     return {};

@@ -86,8 +86,12 @@ const Recording* StepOutcome::recording() const {
     const Recording* recording = nullptr;
     if (const auto* identified = std::get_if<IdentifyResult>(&detail)) {
         recording = &identified->recording;
+    } else if (const auto* axes = std::get_if<AxesIdentifyResult>(&detail)) {
+        recording = &axes->recording;
     } else if (const auto* response = std::get_if<FrequencyResult>(&detail)) {
         recording = &response->recording;
+    } else if (const auto* matrix = std::get_if<AxesFrequencyResult>(&detail)) {
+        recording = &matrix->recording;
     } else if (const auto* relay = std::get_if<RelayResult>(&detail)) {
         recording = &relay->recording;
     } else if (const auto* moved = std::get_if<MoveOutcome>(&detail)) {

@@ -195,6 +195,9 @@ Result<void> writeRunFiles(const std::string& folder, const ResultHeader& header
             files.add(name, writeRecording(folder + "/" + name, *recording, device,
                                            {header.started, {}, step.parametersBefore}));
         }
+        if (const auto* analysed = std::get_if<AnalysisOutcome>(&step.detail); analysed && analysed->table) {
+            files.add(name, writeFile(folder + "/" + name, analysisCsv(*analysed->table)));
+        }
     }
     text("report.html", renderRunReport(header, experiment, outcome, device));
     return files.result();

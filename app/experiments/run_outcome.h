@@ -2,12 +2,14 @@
 
 #include "app/actuators/htm/amplifier_analysis.h"
 #include "app/actuators/htm/motor_analysis.h"
+#include "app/analyses/analysis.h"
 #include "app/documents/text/json_value.h"
 #include "app/experiments/experiment.h"
-#include "app/procedures/apply/apply_procedure.h"
+#include "app/procedures/apply/apply_axes.h"
 #include "app/procedures/calibrate/calibrate_procedure.h"
+#include "app/procedures/frequency/axes_frequency.h"
 #include "app/procedures/frequency/frequency_procedure.h"
-#include "app/procedures/identify/identify_procedure.h"
+#include "app/procedures/identify/axes_identification.h"
 #include "app/procedures/move/move_procedure.h"
 #include "app/procedures/move/move_repetition.h"
 #include "app/procedures/record/record_procedure.h"
@@ -37,10 +39,17 @@ struct TuneOutcome {
     std::uint64_t seed = 1; ///< of the motors that were drawn
 };
 
+/// Loops of several axes with the model they were designed for.
+struct TuneAxesOutcome {
+    AxisModel model;
+    TuneAxesResult result;
+};
+
 /// The procedure's own result, for later steps and the report.
 using StepDetail =
-    std::variant<std::monostate, IdentifyResult, FrequencyResult, RelayResult, CalibrateResult, TuneOutcome,
-                 AnalysisResult, AmplifierAnalysis, MotorAnalysis, ApplyResult, MoveOutcome, RecordResult>;
+    std::variant<std::monostate, IdentifyResult, AxesIdentifyResult, FrequencyResult, AxesFrequencyResult,
+                 RelayResult, CalibrateResult, TuneOutcome, AnalysisResult, AmplifierAnalysis, MotorAnalysis,
+                 ApplyResult, MoveOutcome, RecordResult, TuneAxesOutcome, ApplyAxesResult, AnalysisOutcome>;
 
 struct StepOutcome {
     std::string kind;

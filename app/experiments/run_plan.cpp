@@ -5,6 +5,7 @@
 #include "app/experiments/step_configs.h"
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/frequency/axes_frequency.h"
 #include "app/procedures/frequency/frequency_board.h"
 #include "app/procedures/relay/relay_plan.h"
 #include "app/procedures/tune/position_law_parameters.h"
@@ -65,11 +66,12 @@ private:
     }
 
     Result<void> planIdentify(const ExperimentStep& step, StepPlan& plan) {
-        const Result<IdentifyConfig> config = identifyConfigOf(step);
+        const Actuator& actuator = actuatorOf(m_device.info().model);
+        const Result<IdentifyConfig> config = identifyConfigOf(step, actuator);
         if (!config) {
             return failure(config.error());
         }
-        const IdentifyPrediction prediction = predictIdentify(*config, m_coils.highest_degC);
+        const IdentifyPrediction prediction = actuator.identify.predict(*config, m_coils.highest_degC);
         plan.duration_s = prediction.duration_s;
         plan.peakCurrent_A = prediction.peakCurrent_A;
         plan.highestTemperature_degC = prediction.highestTemperature_degC;
@@ -78,6 +80,12 @@ private:
     }
 
     Result<void> planResponse(const ExperimentStep& step, StepPlan& plan) {
+        if (m_device.catalogue().axes.size() > 1) {
+            const auto duration_s =
+                axesFrequencyDuration_s(m_device.catalogue(), axesFrequencyConfigOf(step));
+            plan.duration_s = duration_s.value_or(0.0);
+            return duration_s ? Result<void>() : failure(duration_s.error());
+        }
         const auto response =
             planFrequency(frequencyConfigOf(step), frequencyMargins(m_device.catalogue(), m_law));
         if (!response) {
@@ -107,7 +115,8 @@ private:
         if (!config) {
             return failure(config.error());
         }
-        const CalibratePrediction prediction = predictCalibrate(*config);
+        const CalibrateEntry& calibrate = actuatorOf(m_device.info().model).calibrate;
+        const CalibratePrediction prediction = calibrate.predict(*config, m_coils.highest_degC);
         plan.duration_s = prediction.duration_s;
         plan.peakCurrent_A = prediction.peakCurrent_A;
         heat(plan, prediction.meanSquare_A2);
@@ -120,14 +129,15 @@ private:
             return failure(config.error());
         }
         const double runs = step.number("repeat").value_or(1.0);
-        const Result<devices::AxisSpec> axis = chosenAxis(m_device.catalogue(), config->axis);
-        if (!axis) {
-            return failure(axis.error());
+        const Result<void> isMovable = checkAxisOf(m_device.catalogue(), step);
+        if (!isMovable) {
+            return isMovable;
         }
-        if (axis->effortUnit == "A") {
+        const Result<devices::AxisSpec> axis = chosenAxis(m_device.catalogue(), config->axis);
+        if (axis && axis->effortUnit == "A") {
             addMove(*config, plan, runs);
         } else { // no model of the axis: as much as the board lets flow
-            plan.duration_s = runs * (axis->settle_s + config->duration_s);
+            plan.duration_s = runs * moveOutlook(*config, m_device.catalogue()).armed_s;
             plan.peakCurrent_A = m_law.limit_A;
         }
         return {};
@@ -142,6 +152,14 @@ private:
     }
 
     Result<void> planApply(const ExperimentStep& step, StepPlan& plan) {
+        const std::vector<devices::AxisSpec>& axes = m_device.catalogue().axes;
+        if (axes.size() > 1) { // a step of each, with as much as the board lets flow
+            for (const devices::AxisSpec& axis : axes) {
+                plan.duration_s += axis.settle_s + ApplyVerification().duration_s;
+            }
+            plan.peakCurrent_A = m_law.limit_A;
+            return {};
+        }
         const Result<Preset> preset = findPreset("htm", step.text("preset").value_or("recommended"));
         if (!preset) {
             return failure(preset.error());

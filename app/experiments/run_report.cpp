@@ -1,6 +1,7 @@
 #include "app/experiments/run_report.h"
 
 #include "app/actuators/htm/known_motor.h"
+#include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
 #include "app/figures/disturbance_figure.h"
 #include "app/headless/exit_code.h"
@@ -88,6 +89,16 @@ ReportSection plainSection(const StepOutcome& step, const std::string& heading) 
     return {heading, {facts}};
 }
 
+/// What people read of an analysis, line by line.
+ReportSection outcomeSection(const std::string& heading, const AnalysisOutcome& outcome) {
+    ReportSection section{heading, {}};
+    section.blocks.emplace_back(ReportQuality{outcome.quality});
+    for (const std::string& line : splitList(outcome.summary, '\n')) {
+        section.blocks.emplace_back(ReportParagraph{line, ReportTone::Plain});
+    }
+    return section;
+}
+
 /// The same motor under the gains that ran before the first step, to be drawn beside the proposal.
 struct LoopAtStart {
     std::optional<AnalysisResult> loop;
@@ -131,7 +142,7 @@ ReportSection tunedSection(const std::string& heading, const TuneOutcome& tuned,
                                            {"its 95th percentile", band->peak_rad.p95, "rad"}});
         }
         section.blocks.emplace_back(
-            quantityTable(fmt::format("Load worth {} A of current", disturbance->load_A), rows));
+            quantityTable(fmt::format("Load step equal to {} A", disturbance->load_A), rows));
         section.blocks.emplace_back(
             ReportPlot{*disturbanceFigure(loaded, before.loaded, widgets::AngleUnit::Radian,
                                           disturbance->load_A, disturbance->band),
@@ -152,8 +163,14 @@ ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>
         ReportSection operator()(const IdentifyResult& result) const {
             return identificationSection(heading, result);
         }
+        ReportSection operator()(const AxesIdentifyResult& result) const {
+            return axesIdentificationSection(heading, result);
+        }
         ReportSection operator()(const FrequencyResult& result) const {
             return frequencySection(heading, result);
+        }
+        ReportSection operator()(const AxesFrequencyResult& result) const {
+            return axesFrequencySection(heading, result);
         }
         ReportSection operator()(const RelayResult& result) const { return relaySection(heading, result); }
         ReportSection operator()(const CalibrateResult& result) const {
@@ -174,6 +191,15 @@ ReportSection sectionOf(const StepOutcome& step, const std::optional<KnownMotor>
             return moveSection(heading, move.result, idealTrace(move, motor), move.repetition);
         }
         ReportSection operator()(const RecordResult& result) const { return recordSection(heading, result); }
+        ReportSection operator()(const AnalysisOutcome& outcome) const {
+            return outcomeSection(heading, outcome);
+        }
+        ReportSection operator()(const TuneAxesOutcome& tuned) const {
+            return axesTuningSection(heading, tuned.result);
+        }
+        ReportSection operator()(const ApplyAxesResult& result) const {
+            return axesApplySection(heading, result);
+        }
     };
     return std::visit(Visitor{step, heading, motor, parametersAtStart}, step.detail);
 }

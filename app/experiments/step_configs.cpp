@@ -4,10 +4,16 @@
 #include "app/documents/text/names.h"
 #include "app/documents/text/procedure_choices.h"
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/excite/move_reference_keys.h"
+#include "app/procedures/excite/travel_reference.h"
+#include "app/procedures/frequency/axes_frequency.h"
 #include "app/procedures/frequency/frequency_board.h"
 #include "control/base/units.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 
 namespace halbench::app {
 
@@ -32,20 +38,53 @@ Result<void> checkValues(const ConfigNode& place, const std::vector<ParameterVal
     return {};
 }
 
-Result<void> checkSweep(const ExperimentStep& step, const devices::Catalogue& catalogue) {
-    const Result<IdentifyConfig> config = identifyConfigOf(step);
+Result<void> checkIdentify(const ExperimentStep& step, const devices::Catalogue& catalogue,
+                           const Actuator& actuator) {
+    const Result<IdentifyConfig> config = identifyConfigOf(step, actuator);
     if (!config) {
         return failure(config.error());
     }
-    const ParameterSpec* limit = catalogue.findParameter(catalogue.parameterForRole("limit.current"));
-    const Result<std::vector<double>> currents =
-        sweepCurrents_A(config->sweep, limit == nullptr ? 1e9 : limit->max);
+    const Result<void> valid = actuator.identify.check(catalogue, *config);
     const ConfigNode* sweep = step.find("currents_A");
-    return currents ? Result<void>() : at(sweep != nullptr ? *sweep : step.keys, currents.error());
+    return valid ? valid : at(sweep != nullptr ? *sweep : step.keys, valid.error());
+}
+
+Result<void> checkCalibrate(const ExperimentStep& step, const devices::Catalogue& catalogue,
+                            const Actuator& actuator) {
+    const Result<CalibrateConfig> config = calibrateConfigOf(step);
+    if (!config) {
+        return failure(config.error());
+    }
+    const Result<void> valid = actuator.calibrate.check(catalogue, *config);
+    return valid ? valid : at(step.keys, valid.error());
 }
 
 /// With any gains: what the law allows is seen when its turn comes.
 Result<void> checkFrequency(const ExperimentStep& step, const devices::Catalogue& catalogue) {
+    const bool hasAxes = catalogue.axes.size() > 1;
+    struct Key {
+        const char* name;
+        bool isOfAxes;
+    };
+    constexpr std::array Keys = {Key{"base_rad_s", false}, Key{"amplitude_deg", false},
+                                 Key{"speed_limit_rad_s", false}, Key{"effort_ratio", true}};
+    for (const Key& key : Keys) {
+        const ConfigNode* node = step.find(key.name);
+        if (node != nullptr && key.isOfAxes != hasAxes) {
+            return at(*node,
+                      {ErrorCode::InvalidInput,
+                       hasAxes ? fmt::format("'{}' does not belong to a device with several axes", key.name)
+                               : fmt::format("'{}' belongs to a device with several axes", key.name),
+                       "leave it out"});
+        }
+    }
+    if (const auto axes = chosenAxes(catalogue, step.text("axis").value_or("")); !axes) {
+        return at(*step.find("axis"), axes.error());
+    }
+    if (hasAxes) {
+        const Result<void> valid = checkAxesFrequency(catalogue, axesFrequencyConfigOf(step));
+        return valid ? valid : at(step.keys, valid.error());
+    }
     const FrequencyConfig config = frequencyConfigOf(step);
     const Result<void> able = checkFrequencyBoard(catalogue, config);
     if (!able) {
@@ -82,7 +121,10 @@ Result<void> checkPreset(const ExperimentStep& step, const devices::Catalogue& c
 Result<void> checkStep(const ExperimentStep& step, const devices::Catalogue& catalogue,
                        const std::string& model) {
     if (step.kind == "identify") {
-        return checkSweep(step, catalogue);
+        return checkIdentify(step, catalogue, actuatorOf(model));
+    }
+    if (step.kind == "calibrate") {
+        return checkCalibrate(step, catalogue, actuatorOf(model));
     }
     if (step.kind == "frequency") {
         return checkFrequency(step, catalogue);
@@ -102,8 +144,9 @@ Result<void> checkStep(const ExperimentStep& step, const devices::Catalogue& cat
 
 } // namespace
 
-Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step) {
+Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step, const Actuator& actuator) {
     IdentifyConfig config;
+    config.axis = step.text("axis").value_or("");
     config.sweep.from_A = step.number("currents_A.from").value_or(config.sweep.from_A);
     config.sweep.to_A = step.number("currents_A.to").value_or(config.sweep.to_A);
     config.sweep.step_A = step.number("currents_A.step").value_or(config.sweep.step_A);
@@ -111,7 +154,7 @@ Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step) {
     config.usableSpeed_rad_s = step.number("usable_speed_rad_s").value_or(config.usableSpeed_rad_s);
     config.directions = *sweepDirections(step.text("directions").value_or("both"));
     for (const auto& [symbol, value] : step.numbers("given")) {
-        if (const Result<void> set = setGivenConstant(config.given, symbol, value); !set) {
+        if (const Result<void> set = actuator.identify.setGiven(config, symbol, value); !set) {
             return at(*step.find("given"), set.error());
         }
     }
@@ -130,6 +173,17 @@ FrequencyConfig frequencyConfigOf(const ExperimentStep& step) {
     if (const std::optional<double> amplitude_deg = step.number("amplitude_deg")) {
         config.amplitude_rad = degreesToRadians(*amplitude_deg);
     }
+    return config;
+}
+
+AxesFrequencyConfig axesFrequencyConfigOf(const ExperimentStep& step) {
+    AxesFrequencyConfig config;
+    config.axis = step.text("axis").value_or("");
+    config.from_Hz = step.number("from_hz").value_or(config.from_Hz);
+    config.to_Hz = step.number("to_hz").value_or(config.to_Hz);
+    config.effort_ratio = step.number("effort_ratio").value_or(config.effort_ratio);
+    config.periods = static_cast<int>(step.number("periods").value_or(config.periods));
+    config.leastCoherence = step.number("coherence").value_or(config.leastCoherence);
     return config;
 }
 
@@ -174,7 +228,15 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
         return at(reference, valid.error());
     }
     config.axis = step.text("axis").value_or("");
-    config.duration_s = *step.number("duration_s");
+    const auto duration_s = step.number("duration_s");
+    const auto travel_s = defaultDuration_s(config.reference);
+    if (!duration_s && !travel_s) {
+        return at(step.keys,
+                  Error{ErrorCode::InvalidInput,
+                        fmt::format("a {} needs duration_s", moveShapeName(config.reference.shape)),
+                        "Only travels and paths end by themselves."});
+    }
+    config.duration_s = duration_s ? *duration_s : *travel_s;
     config.evaluateFrom_s = step.number("evaluate_from_s");
     config.evaluateTo_s = step.number("evaluate_to_s");
     if (const std::optional<double> threshold_deg = step.number("lock_threshold_deg")) {
@@ -187,6 +249,10 @@ Result<void> checkAxisOf(const devices::Catalogue& catalogue, const ExperimentSt
     const Result<MoveConfig> config = moveConfigOf(step);
     if (!config) {
         return failure(config.error());
+    }
+    if (isPath(config->reference)) {
+        const auto axes = pathAxes(catalogue);
+        return axes ? Result<void>() : failure(axes.error());
     }
     const Result<devices::AxisSpec> axis = chosenAxis(catalogue, config->axis);
     return axis ? checkQuantity(config->reference, *axis) : failure(axis.error());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/actuators/actuator.h"
 #include "app/experiments/run_outcome.h"
 
 namespace halbench::app {
@@ -7,8 +8,10 @@ namespace halbench::app {
 // From a validated step of an experiment to the configuration of its procedure. Errors: what the procedure's
 // own setters say, with the step's place in the file in front.
 
-Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step);
+Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step, const Actuator& actuator);
 FrequencyConfig frequencyConfigOf(const ExperimentStep& step);
+/// The same of a device with several axes.
+AxesFrequencyConfig axesFrequencyConfigOf(const ExperimentStep& step);
 /// Without the model of an earlier step.
 RelayConfig relayConfigOf(const ExperimentStep& step);
 Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step);

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "app/analyses/analysis.h"
 #include "app/experiments/run_outcome.h"
 #include "app/headless/command_context.h"
 #include "app/tuning/loop_conditions.h"
 
 namespace halbench::app {
 
-/// What every step of a run gets: the device and what the steps before it gave.
+/// Input of every step of a run: the device and the results of the steps before it.
 struct StepRun {
     CommandContext& context;
     devices::Device& device;
@@ -33,6 +34,10 @@ Error missingResult(const std::string& step);
 /// Errors: of the device.
 Result<LoopConditions> conditionsOf(StepRun& run);
 
+// Steps of kind tune, apply and analyse on a device with several axes; the functions below decide by it.
+Result<StepOutcome> tuneAxesStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> applyAxesStep(StepRun& run, const ExperimentStep& step, const TuneAxesOutcome& tuned);
+
 // One function a kind. Name and kind of the outcome are set by the caller. Errors: of the procedure.
 Result<StepOutcome> runIdentifyStep(StepRun& run, const ExperimentStep& step);
 Result<StepOutcome> runFrequencyStep(StepRun& run, const ExperimentStep& step);
@@ -45,5 +50,6 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step);
 Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step);
 Result<StepOutcome> runSetStep(StepRun& run, const ExperimentStep& step);
 Result<StepOutcome> runWaitStep(StepRun& run, const ExperimentStep& step);
+Result<StepOutcome> runAnalysisStep(StepRun& run, const ExperimentStep& step, const Analysis& analysis);
 
 } // namespace halbench::app

@@ -1,7 +1,9 @@
 #include "app/actuators/htm/known_motor.h"
 #include "app/actuators/htm/motor_geometry_analysis.h"
+#include "app/documents/axis_loop_documents.h"
 #include "app/documents/result_documents.h"
 #include "app/experiments/step_runs.h"
+#include "app/procedures/base/doubtful_source.h"
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/tuning/loop_conditions.h"
 #include "control/base/units.h"
@@ -98,6 +100,12 @@ Result<StepOutcome> motorOutcome(StepRun& run, const ExperimentStep& step) {
 }
 
 Result<StepOutcome> loopOutcome(StepRun& run, const ExperimentStep& step) {
+    if (const auto* axes = run.find<TuneAxesOutcome>(*step.text("gains"))) {
+        StepOutcome outcome;
+        outcome.quality = axes->result.quality;
+        outcome.body = axisAnalysisBody(axes->result);
+        return outcome;
+    }
     const IdentifyResult* model = run.find<IdentifyResult>(*step.text("model"));
     const TuneOutcome* tuned = run.find<TuneOutcome>(*step.text("gains"));
     if (model == nullptr || tuned == nullptr) {
@@ -136,6 +144,7 @@ Result<LoopConditions> conditionsOf(StepRun& run) {
     for (const StepOutcome& step : run.earlier) {
         if (const auto* calibration = std::get_if<CalibrateResult>(&step.detail)) {
             takeStrayInterval(*conditions, strayInterval(*calibration));
+            conditions->doubts = doubtsOfCalibration(calibration->quality);
         }
     }
     return conditions;

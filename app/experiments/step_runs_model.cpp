@@ -1,3 +1,4 @@
+#include "app/documents/axes_frequency_documents.h"
 #include "app/documents/presets.h"
 #include "app/documents/relay_document.h"
 #include "app/documents/result_documents.h"
@@ -5,6 +6,8 @@
 #include "app/experiments/step_runs.h"
 #include "app/procedures/tune/position_law_parameters.h"
 #include "control/base/units.h"
+
+#include <fmt/format.h>
 
 namespace halbench::app {
 
@@ -24,7 +27,7 @@ Result<Proposal> proposalOf(StepRun& run, const ExperimentStep& step) {
             return failure(missingResult(*name));
         }
         Result<std::vector<ParameterValue>> values =
-            lawForDevice(LoopLaw(tuned->result.law, tuned->result.shaped), run.device.catalogue());
+            lawForDevice(LoopLaw(tuned->result.law, tuned->result.filtered), run.device.catalogue());
         if (!values) {
             return failure(values.error());
         }
@@ -50,7 +53,8 @@ Result<Proposal> proposalOf(StepRun& run, const ExperimentStep& step) {
 } // namespace
 
 Result<StepOutcome> runIdentifyStep(StepRun& run, const ExperimentStep& step) {
-    Result<IdentifyConfig> config = identifyConfigOf(step);
+    const Actuator& actuator = actuatorOf(run.device.info().model);
+    Result<IdentifyConfig> config = identifyConfigOf(step, actuator);
     if (!config) {
         return failure(config.error());
     }
@@ -62,18 +66,38 @@ Result<StepOutcome> runIdentifyStep(StepRun& run, const ExperimentStep& step) {
         }
         config->added = AddedInertia{motorEstimate(*first), *step.number("added_inertia_kg_m2")};
     }
-    Result<IdentifyResult> result = runIdentify(run.device, *config, observerFor(run.context));
+    Result<IdentifyOutcome> result = actuator.identify.run(run.device, *config, observerFor(run.context));
+    if (!result) {
+        return failure(result.error());
+    }
+    StepOutcome outcome;
+    outcome.quality = qualityOf(*result);
+    outcome.body = identificationBody(*result);
+    std::visit([&outcome](auto& found) { outcome.detail = std::move(found); }, *result);
+    return outcome;
+}
+
+namespace {
+
+Result<StepOutcome> axesFrequencyStep(StepRun& run, const ExperimentStep& step) {
+    Result<AxesFrequencyResult> result =
+        runAxesFrequency(run.device, axesFrequencyConfigOf(step), observerFor(run.context));
     if (!result) {
         return failure(result.error());
     }
     StepOutcome outcome;
     outcome.quality = result->quality;
-    outcome.body = identificationBody(*result);
+    outcome.body = axesFrequencyBody(*result);
     outcome.detail = *std::move(result);
     return outcome;
 }
 
+} // namespace
+
 Result<StepOutcome> runFrequencyStep(StepRun& run, const ExperimentStep& step) {
+    if (run.device.catalogue().axes.size() > 1) {
+        return axesFrequencyStep(run, step);
+    }
     const Result<LoopConditions> conditions = conditionsOf(run);
     if (!conditions) {
         return failure(conditions.error());
@@ -116,7 +140,8 @@ Result<StepOutcome> runCalibrateStep(StepRun& run, const ExperimentStep& step) {
         return failure(config.error());
     }
     config->seed = run.seed;
-    Result<CalibrateResult> result = runCalibrate(run.device, *config, observerFor(run.context));
+    const CalibrateEntry& calibrate = actuatorOf(run.device.info().model).calibrate;
+    Result<CalibrateResult> result = calibrate.run(run.device, *config, observerFor(run.context));
     if (!result) {
         return failure(result.error());
     }
@@ -128,6 +153,15 @@ Result<StepOutcome> runCalibrateStep(StepRun& run, const ExperimentStep& step) {
 }
 
 Result<StepOutcome> runTuneStep(StepRun& run, const ExperimentStep& step) {
+    if (run.device.catalogue().axes.size() > 1) {
+        return tuneAxesStep(run, step);
+    }
+    for (const char* key : {"model_file", "axis"}) {
+        if (step.find(key) != nullptr) {
+            return failure(ErrorCode::InvalidInput,
+                           fmt::format("'{}' is for a device with several axes", key), "leave it out");
+        }
+    }
     const IdentifyResult* model = run.find<IdentifyResult>(*step.text("model"));
     if (model == nullptr) {
         return failure(missingResult(*step.text("model")));
@@ -165,6 +199,9 @@ Result<StepOutcome> runTuneStep(StepRun& run, const ExperimentStep& step) {
 }
 
 Result<StepOutcome> runApplyStep(StepRun& run, const ExperimentStep& step) {
+    if (const auto* axes = run.find<TuneAxesOutcome>(step.text("gains").value_or(""))) {
+        return applyAxesStep(run, step, *axes);
+    }
     Result<Proposal> proposal = proposalOf(run, step);
     if (!proposal) {
         return failure(proposal.error());

@@ -3,10 +3,13 @@
 #include "app/experiments/step_configs.h"
 #include "app/experiments/step_runs.h"
 #include "app/headless/command_header.h"
+#include "app/headless/reconnecting_device.h"
 #include "app/headless/recording_file.h"
-#include "app/headless/waiting_device.h"
 #include "app/procedures/base/procedure_steps.h"
+#include "app/procedures/move/move_prediction.h"
+#include "app/procedures/tune/loop_axis.h"
 #include "app/procedures/tune/position_law_parameters.h"
+#include "app/tuning/axis_conditions.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -45,15 +48,32 @@ private:
 
 /// These keys are in degrees.
 Result<void> checkKeysOfAxis(const devices::Catalogue& catalogue, const ExperimentStep& step) {
-    for (const char* key : {"repeat", "lock_threshold_deg"}) {
+    for (const char* key : {"settled_deg", "lock_threshold_deg"}) {
         if (catalogue.axes.size() > 1 && step.find(key) != nullptr) {
             return failure(
                 ErrorCode::InvalidInput,
                 fmt::format("step \"{}\": '{}' is not for a device with several axes", step.name, key),
-                "Leave it out; write one step for each move.");
+                "Leave it out.");
         }
     }
     return {};
+}
+
+/// What the model of the last tuning foresees of a move, where it has that axis.
+Result<std::optional<MoveFigures>> predictedOf(StepRun& run, const MoveConfig& config) {
+    const TuneAxesOutcome* tuned = nullptr;
+    for (const StepOutcome& earlier : run.earlier) {
+        const auto* axes = std::get_if<TuneAxesOutcome>(&earlier.detail);
+        tuned = axes != nullptr ? axes : tuned;
+    }
+    const IdentifiedAxis* axis = tuned != nullptr ? tuned->model.find(config.axis) : nullptr;
+    if (axis == nullptr) {
+        return std::optional<MoveFigures>();
+    }
+    const auto conditions = axisConditionsOf(run.device, {config.axis});
+    return conditions ? predictAxisMove(run.device, config, estimateOfAxis(tuned->model, *axis),
+                                        conditions->front().currentLimit_A)
+                      : failure(conditions.error());
 }
 
 } // namespace
@@ -75,6 +95,10 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     if (const std::optional<double> settled_deg = step.number("settled_deg")) {
         repeat.settled_rad = degreesToRadians(*settled_deg);
     }
+    const auto predicted = predictedOf(run, *config);
+    if (!predicted) {
+        return failure(predicted.error());
+    }
     Result<RepeatedMove> result = runRepeatedMove(run.device, *config, repeat, observerFor(run.context));
     if (!result) {
         return failure(result.error());
@@ -84,12 +108,19 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     if (result->last.others.empty()) {
         outcome.body = moveBody(result->last);
     } else {
-        outcome.body.set("axes", movedAxes(result->last));
+        outcome.body.set("axes", movedAxes(result->last, *predicted));
     }
+    if (result->last.path) {
+        outcome.body.set("contour", contourBody(*result->last.path));
+    }
+    const bool isOneOfSeveral = !result->last.others.empty();
+    const std::string unit = isOneOfSeveral ? result->last.axis.positionUnit : std::string("deg");
     MoveOutcome detail{*std::move(config), *law, std::move(result->last), std::nullopt};
     if (step.find("repeat") != nullptr) {
-        outcome.body.set("repetition", repetitionBody(result->repetition));
-        detail.repetition = std::move(result->repetition);
+        outcome.body.set("repetition", repetitionBody(result->repetition, unit));
+        if (!isOneOfSeveral) { // the report lists runs in degrees
+            detail.repetition = std::move(result->repetition);
+        }
     }
     outcome.detail = std::move(detail);
     return outcome;

@@ -100,7 +100,7 @@ std::optional<widgets::Figure> hallResidualFigure(const CalibrateResult& result,
     panel.height_px = 300;
     panel.lines = {{widgets::ReferenceLine::Direction::Horizontal, 0.0, {}}};
     panel.curves = {std::move(residual)};
-    return widgets::Figure{utf8(Words::tr("What the ellipse leaves over")),
+    return widgets::Figure{utf8(Words::tr("Residual of the ellipse")),
                            {utf8(Words::tr("angle")), isDegree ? "deg" : "rad", false, -half, half,
                             isDegree ? std::optional(90.0) : std::nullopt},
                            {std::move(panel)}};
@@ -111,7 +111,7 @@ widgets::Figure staticFrictionFigure(const std::vector<StaticFrictionPoint>& poi
     const bool isDegree = unit == widgets::AngleUnit::Degree;
     const double turn = isDegree ? 360.0 : 2.0 * Pi;
     widgets::Panel panel;
-    panel.y = {utf8(Words::tr("current at the first motion")), "A", false, {}, {}, {}};
+    panel.y = {utf8(Words::tr("breakaway current")), "A", false, {}, {}, {}};
     widgets::Curve forward{utf8(Words::tr("forward")), {}, {}, widgets::CurveStyle::Points, 0};
     widgets::Curve reverse{
         utf8(Words::tr("reverse, sign removed")), {}, {}, widgets::CurveStyle::HollowPoints, 1};

@@ -49,14 +49,15 @@ void add(widgets::Figure& figure, const control::LoadStep& step, double factor, 
 std::optional<widgets::Figure> disturbanceFigure(const std::optional<control::LoadStep>& proposed,
                                                  const std::optional<control::LoadStep>& present,
                                                  widgets::AngleUnit unit, double load_A,
-                                                 const std::optional<control::LoadBand>& band) {
+                                                 const std::optional<control::DisturbanceEnvelope>& band) {
     if (!proposed) {
         return std::nullopt;
     }
     const bool isDegree = unit == widgets::AngleUnit::Degree;
     const double factor = widgets::displayUnit("rad", unit).factor;
     widgets::Figure figure;
-    figure.title = utf8(Words::tr("Load worth %1 A, linear loop").arg(widgets::numberText(load_A, 2)));
+    figure.title =
+        utf8(Words::tr("Load step equal to %1 A, linear model").arg(widgets::numberText(load_A, 2)));
     figure.x = {utf8(Words::tr("time")), "s", false, {}, {}, {}};
     figure.isLinked = true;
     figure.panels.resize(2);
@@ -78,7 +79,7 @@ std::optional<widgets::Figure> disturbanceFigure(const std::optional<control::Lo
     if (proposed->recoveryTime_s) {
         figure.panels[0].lines.push_back(
             {Direction::Vertical, *proposed->recoveryTime_s,
-             fmt::format("{} {:.3g} s", utf8(Words::tr("recovered after")), *proposed->recoveryTime_s)});
+             fmt::format("{} {:.3g} s", utf8(Words::tr("settling time")), *proposed->recoveryTime_s)});
     }
     return figure;
 }

@@ -53,7 +53,7 @@ Circle circleOf(const FrequencyResultPoint& point, FrequencyView view) {
 
 /// Of the rotor that fits, at a frequency.
 Complex rotorValue(const FrequencyResult& result, FrequencyView view, double frequency_rad_s) {
-    const Complex G = control::heldRotorResponse(result.fit->rotor, result.period_s, frequency_rad_s);
+    const Complex G = control::sampledPlantResponse(result.fit->rotor, result.period_s, frequency_rad_s);
     if (view == FrequencyView::Plant) {
         return G;
     }
@@ -185,8 +185,8 @@ widgets::Figure frequencyFigure(const FrequencyResult& result, FrequencyView vie
     const std::pair<const Track*, widgets::BodeContent::Response> all[] = {
         {&tracks.used, tracks.used.as(Words::tr("measured"), CurveStyle::Points, MarkColour)},
         {&tracks.rest,
-         tracks.rest.as(Words::tr("measured, not coherent"), CurveStyle::HollowPoints, MarkColour)},
-        {&tracks.used, tracks.low.as(Words::tr("95 % of it"), CurveStyle::DottedLine, MarkColour)},
+         tracks.rest.as(Words::tr("measured, low coherence"), CurveStyle::HollowPoints, MarkColour)},
+        {&tracks.used, tracks.low.as(Words::tr("95 % region"), CurveStyle::DottedLine, MarkColour)},
         {&tracks.used, tracks.high.as({}, CurveStyle::DottedLine, MarkColour)}};
     for (const auto& [needed, response] : all) {
         if (!needed->frequency_Hz.empty()) {
@@ -195,7 +195,7 @@ widgets::Figure frequencyFigure(const FrequencyResult& result, FrequencyView vie
     }
     if (result.fit && !result.points.empty()) {
         content.responses.push_back(
-            rotorTrack(result, view).as(Words::tr("rotor that fits"), CurveStyle::DashedLine, RotorColour));
+            rotorTrack(result, view).as(Words::tr("fitted rotor"), CurveStyle::DashedLine, RotorColour));
     }
     if (view == FrequencyView::OpenLoop) {
         markMargins(content, result.margins);
@@ -214,7 +214,7 @@ std::optional<widgets::Figure> excitationFigure(const Recording& recording) {
         return std::nullopt;
     }
     widgets::Figure figure;
-    figure.title = utf8(Words::tr("The excitation as recorded"));
+    figure.title = utf8(Words::tr("Excitation as recorded"));
     figure.x = {utf8(Words::tr("time")), "s", false, {}, {}, {}};
     const auto add = [&](const QString& words, const char* unit, std::vector<double> values) {
         widgets::Panel panel;

@@ -108,7 +108,7 @@ std::optional<JointRegion> regionOf(const IdentifyResult& result, const EllipseA
     const double freedom = freedomOf(*x.estimate, c[*i][*i]);
     const double quantile = freedom * std::expm1(-2.0 / freedom * std::log(0.05));
     widgets::EllipseContent content;
-    content.title = utf8(Words::tr("Joint 95 % region of damping and friction"));
+    content.title = utf8(Words::tr("Joint 95 % confidence region of damping and friction"));
     content.x = {x.words, x.estimate->unit, false, {}, {}, {}};
     content.y = {y.words, y.estimate->unit, false, {}, {}, {}};
     content.centre = {*x.estimate->value, *y.estimate->value};

@@ -38,7 +38,8 @@ std::vector<LoopCurve> loopCurves(const AnalysisResult& predicted,
 
 widgets::Curve bandCurve(const std::vector<double>& x, const control::Band& band, double xScale,
                          double yScale) {
-    widgets::Curve curve{Words::tr("5 % to 95 % of the motors").toStdString(), {}, {}, CurveStyle::Band, 0};
+    widgets::Curve curve{
+        Words::tr("5-95 % band (motor uncertainty)").toStdString(), {}, {}, CurveStyle::Band, 0};
     for (std::size_t i = 0; i < x.size(); ++i) {
         curve.x.push_back(xScale * x[i]);
         curve.y.push_back(yScale * band.p95[i]);

@@ -93,7 +93,7 @@ void addMeasured(widgets::Panel& panel, const std::optional<MeasuredLoop>& measu
         return;
     }
     Curve coherent{utf8(Words::tr("measured")), {}, {}, CurveStyle::Points, MarkColour};
-    Curve rest{utf8(Words::tr("measured, not coherent")), {}, {}, CurveStyle::HollowPoints, MarkColour};
+    Curve rest{utf8(Words::tr("measured, low coherence")), {}, {}, CurveStyle::HollowPoints, MarkColour};
     for (std::size_t i = 0; i < measured->isUsed.size(); ++i) {
         const auto [x, y] = place(measured->magnitude_dB[i], measured->phase_deg[i]);
         Curve& curve = measured->isUsed[i] ? coherent : rest;

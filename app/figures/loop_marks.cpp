@@ -39,8 +39,13 @@ std::string phaseMarginText(double margin_deg) {
     return fmt::format("{} {:.0f}\u00b0", utf8(Words::tr("phase margin")), margin_deg);
 }
 
+/// In the unit of the axis it is read on.
+std::string decibelText(double ratio) {
+    return fmt::format("{:.1f} dB", 20.0 * std::log10(ratio));
+}
+
 std::string gainMarginText(double margin_ratio) {
-    return fmt::format("{} {:.2g}\u00d7", utf8(Words::tr("gain margin")), margin_ratio);
+    return fmt::format("{} {}", utf8(Words::tr("gain margin")), decibelText(margin_ratio));
 }
 
 /// Whether a crossing is where the margin of its kind was found.
@@ -56,11 +61,9 @@ void markOther(widgets::BodeContent& content, const control::Crossing& crossing)
     widgets::ReferenceLine line{Direction::Vertical, at_Hz, {}, true};
     content.magnitudeLines.push_back(line);
     content.phaseLines.push_back(line);
-    const double factor = crossing.gainMargin_ratio;
     (isGain ? content.phaseLines : content.magnitudeLines).back().label =
-        isGain          ? fmt::format("{:.0f}\u00b0", crossing.phaseMargin_deg)
-        : factor < 99.5 ? fmt::format("{:.2g}\u00d7", factor)
-                        : fmt::format("{:.0f}\u00d7", factor);
+        isGain ? fmt::format("{:.0f}\u00b0", crossing.phaseMargin_deg)
+               : decibelText(crossing.gainMargin_ratio);
 }
 
 using Place = std::pair<double, double>; ///< x and y
@@ -182,7 +185,7 @@ std::string criticalPoint(const AnalysisResult& loop) {
     const std::string point = "\u22121";
     const auto count = nyquistCount(loop);
     return count ? fmt::format("{}, {}", point,
-                               utf8(Words::tr("circled %1 times; unstable poles of L: %2")
+                               utf8(Words::tr("%1 encirclements; unstable poles of L: %2")
                                         .arg(count->encirclements)
                                         .arg(count->unstableOpenLoopPoles)))
                  : point;

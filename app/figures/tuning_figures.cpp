@@ -32,7 +32,7 @@ void addMeasured(widgets::BodeContent& content, const MeasuredLoop& measured) {
     widgets::BodeContent::Response coherent{utf8(Words::tr("measured")), {},        {}, {},
                                             CurveStyle::Points,          MarkColour};
     widgets::BodeContent::Response rest{
-        utf8(Words::tr("measured, not coherent")), {}, {}, {}, CurveStyle::HollowPoints, MarkColour};
+        utf8(Words::tr("measured, low coherence")), {}, {}, {}, CurveStyle::HollowPoints, MarkColour};
     for (std::size_t i = 0; i < measured.isUsed.size(); ++i) {
         widgets::BodeContent::Response& response = measured.isUsed[i] ? coherent : rest;
         response.frequency_Hz.push_back(measured.frequency_Hz[i]);
@@ -302,7 +302,7 @@ widgets::Figure recordedMoveFigure(const RecordedMove& move, widgets::AngleUnit 
     return figure;
 }
 
-void addWhatIfCurves(widgets::Figure& figure, const WhatIf& whatIf, const std::optional<MotionBand>& band,
+void addWhatIfCurves(widgets::Figure& figure, const WhatIf& whatIf, const std::optional<MotionEnvelope>& band,
                      const std::vector<double>& reference_rad, widgets::AngleUnit unit) {
     constexpr int Colour = 4;
     const AngleScale scale = scaleOf(unit);
@@ -314,7 +314,7 @@ void addWhatIfCurves(widgets::Figure& figure, const WhatIf& whatIf, const std::o
     figure.panels[2].curves.push_back({word, time_s, whatIf.current_A, CurveStyle::Line, Colour});
     if (band) {
         widgets::Curve area = bandCurve(band->time_s, band->angle_rad, 1.0, scale.factor);
-        area.label = utf8(Words::tr("nine tenths of such moves"));
+        area.label = utf8(Words::tr("90 % band"));
         area.colour = Colour;
         figure.panels[0].curves.push_back(std::move(area));
     }

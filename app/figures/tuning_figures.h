@@ -51,7 +51,7 @@ widgets::Figure recordedMoveFigure(const RecordedMove& move,
 
 /// Into one of these two: the same move as it would have been with other gains, with its band when that
 /// is known. `reference_rad` of the move, from where the rotor was.
-void addWhatIfCurves(widgets::Figure& figure, const WhatIf& whatIf, const std::optional<MotionBand>& band,
+void addWhatIfCurves(widgets::Figure& figure, const WhatIf& whatIf, const std::optional<MotionEnvelope>& band,
                      const std::vector<double>& reference_rad,
                      widgets::AngleUnit unit = widgets::AngleUnit::Degree);
 

@@ -1,6 +1,6 @@
 #include "app/headless/command_context.h"
 
-#include "app/headless/changed_recording.h"
+#include "app/headless/recording_integrity.h"
 #include "devices/device_uri.h"
 #include "devices/formats/replay_device.h"
 #include "devices/interruption.h"
@@ -23,7 +23,7 @@ Finding otherFirmware(const devices::DeviceInfo& device) {
     return {"other_firmware",
             "the board runs firmware '" + device.firmware + "', but its description is of '" +
                 device.otherFirmware + "': names may lead to wrong values, so nothing is written",
-            "give the description of this firmware, or update the board's firmware as a whole"};
+            "use the description of this firmware, or update the firmware completely"};
 }
 
 Result<std::unique_ptr<devices::Device>> openDeviceFor(const CommandContext& context,
@@ -43,9 +43,8 @@ namespace {
 constexpr const char* SimulatedScheme = "sim";
 
 tl::unexpected<Error> consentMissing(const std::string& uri) {
-    return failure(ErrorCode::ConsentMissing,
-                   "this would arm and move the device '" + uri + "', which is not simulated",
-                   "nothing has moved; add --arm when it may move");
+    return failure(ErrorCode::ConsentMissing, "this command would arm and move the real device '" + uri + "'",
+                   "nothing has moved; add --arm to allow motion");
 }
 
 } // namespace

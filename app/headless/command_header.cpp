@@ -1,7 +1,7 @@
 #include "app/headless/command_header.h"
 
 #include "app/documents/text/numbers.h"
-#include "app/headless/changed_recording.h"
+#include "app/headless/recording_integrity.h"
 #include "devices/formats/replay_device.h"
 
 namespace halbench::app {

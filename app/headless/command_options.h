@@ -3,6 +3,7 @@
 #include "app/headless/console.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,9 +39,10 @@ struct CommandOptions {
     std::string capture;                   ///< record --capture A,B
     std::string trigger, preTrigger, wait; ///< record
     std::string reference;
-    std::string axis; ///< --axis, of a device with several
-    std::string what; ///< hall, stray, static-friction or all; of config: save, compare or restore
-    std::string only; ///< config restore --only A,B
+    std::string axis;  ///< --axis, of a device with several
+    std::string model; ///< move --model MODEL.json
+    std::string what;  ///< hall, stray, static-friction or all; of config: save, compare or restore
+    std::string only;  ///< config restore --only A,B
     bool withCalibration = false; ///< config restore --calibration
     std::vector<std::string> given;
     std::string currents;
@@ -53,6 +55,7 @@ struct CommandOptions {
     std::string relayModel, relayGain, relayCurrent, cycles;
     std::string relayFile; ///< tune --relay RELAY.json
     std::string excitation, fromFrequency, toFrequency, base, amplitude, periods, coherence;
+    std::string effortRatio; ///< --effort-ratio, of several axes
     std::string method;
     std::string zeta, omega, bandwidth, phaseMargin;
     std::string maxSensitivity, currentLimit,
@@ -91,6 +94,8 @@ struct CommandOptions {
     std::string retain;                                 ///< recordings --retain; the next line only with it
     bool isDeleted = false, isTrashed = false;          ///< --delete, --trash
     std::string align;                                  ///< overlay --align
+    std::map<std::string, std::string> values;          ///< of an analysis, by its keys
+    std::map<std::string, bool> flags;
 };
 
 struct CommandLine {

@@ -54,12 +54,12 @@ Result<void> checkFolder(const std::string& folder, bool mayOverwrite) {
     }
     if (!holdsResults(folder)) {
         return failure(ErrorCode::Usage,
-                       fmt::format("the folder '{}' holds something else than results", folder),
-                       "name a folder that is empty or not there");
+                       fmt::format("the folder '{}' contains files that are not results", folder),
+                       "use an empty or a new folder");
     }
     return mayOverwrite ? Result<void>()
                         : failure(ErrorCode::Usage, fmt::format("the folder '{}' is not empty", folder),
-                                  "name another folder, or overwrite its results with --force");
+                                  "use another folder, or overwrite the results with --force");
 }
 
 } // namespace
@@ -97,8 +97,8 @@ Result<void> checkOutputs(const CommandLine& line) {
     }
     for (const std::string& file : outputsOf(line)) {
         if (!line.global.mayOverwrite && isThere(file) && !isInput(line, file)) {
-            return failure(ErrorCode::Usage, fmt::format("'{}' is there already", file),
-                           "give another name, or overwrite it with --force");
+            return failure(ErrorCode::Usage, fmt::format("'{}' exists already", file),
+                           "use another name, or overwrite it with --force");
         }
     }
     return {};

@@ -51,9 +51,9 @@ Result<void> RecordingOutput::begin(const StreamLayout& layout) {
     }
     m_writer = *std::move(writer);
     if (!m_writer->movedAside().empty()) {
-        m_warn(fmt::format("an interrupted recording was found and is now '{}'; halbench convert makes a "
-                           "recording of it",
-                           m_writer->movedAside()));
+        m_warn(fmt::format(
+            "interrupted recording found, saved as '{}'; halbench convert makes a recording of it",
+            m_writer->movedAside()));
     }
     return {};
 }

@@ -167,7 +167,7 @@ QStringList tagsOf(const QString& text) {
 }
 
 Result<void> writeRecordingNotes(const QString& path, const QStringList& tags, const QString& notes) {
-    return changeSidecar(path, "only recordings with their sidecar can have tags and notes",
+    return changeSidecar(path, "tags and notes need a recording with a .meta.json file",
                          [&](QJsonObject& root) {
                              root.remove(QStringLiteral("tags"));
                              root.remove(QStringLiteral("notes"));

@@ -40,13 +40,13 @@ tl::unexpected<Error> wrongAt(int place, const std::string& what, const std::str
                    hint);
 }
 
-constexpr const char* Known = "known are {device}, {name}, {date}, {time} and {number}";
+constexpr const char* Known = "allowed are {device}, {name}, {date}, {time} and {number}";
 
 /// The placeholder that begins at `place`; the mask goes on behind it.
 Result<QString> placeholderAt(const QString& mask, int place) {
     const int end = mask.indexOf(QLatin1Char('}'), place);
     if (end < 0) {
-        return wrongAt(place, "a '{' without its '}'", Known);
+        return wrongAt(place, "'{' without '}'", Known);
     }
     const QString name = mask.mid(place + 1, end - place - 1);
     const bool isKnown = std::any_of(Placeholders.begin(), Placeholders.end(),
@@ -60,14 +60,14 @@ Result<QString> placeholderAt(const QString& mask, int place) {
 Result<void> checkLiteral(const QString& mask, int place) {
     const QChar sign = mask.at(place);
     if (sign == QLatin1Char('}')) {
-        return wrongAt(place, "a '}' without its '{'", Known);
+        return wrongAt(place, "'}' without '{'", Known);
     }
     if (sign == QLatin1Char('/') || sign == QLatin1Char('\\')) {
-        return wrongAt(place, "a name has no folder in it", "the folder has a field of its own");
+        return wrongAt(place, "a name cannot contain a folder", "enter the folder in its own field");
     }
     if (isRefused(sign)) {
         const QString shown = sign.isPrint() ? QString(sign) : QStringLiteral("?");
-        return wrongAt(place, fmt::format("file systems refuse '{}'", shown.toStdString()),
+        return wrongAt(place, fmt::format("'{}' is not allowed in file names", shown.toStdString()),
                        "use letters, digits, '-', '_' and '.'");
     }
     return {};
@@ -83,7 +83,7 @@ Result<std::vector<Piece>> piecesOf(const QString& mask) {
                 return failure(name.error());
             }
             if (*name == QLatin1String("number") && ++numbers > 1) {
-                return wrongAt(place, "a second {number}", "one number is enough");
+                return wrongAt(place, "a second {number}", "use {number} only once");
             }
             pieces.push_back({*name, true});
             place += name->size() + 2;
@@ -163,13 +163,13 @@ QString recordedDevice(const devices::DeviceInfo& info) {
 Result<void> checkNameMask(const QString& mask) {
     if (mask.trimmed().isEmpty()) {
         return failure(ErrorCode::InvalidInput, "the name mask is empty",
-                       fmt::format("write e.g. {}", DefaultNameMask));
+                       fmt::format("example: {}", DefaultNameMask));
     }
     if (mask.at(0).isSpace() || mask.at(0) == QLatin1Char('.')) {
-        return wrongAt(0, "a name begins with neither a space nor a point", "begin with a letter");
+        return wrongAt(0, "a name cannot begin with a space or a dot", "begin with a letter");
     }
     if (mask.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        return wrongAt(mask.size() - 4, "the ending is added to the name", "leave .csv out");
+        return wrongAt(mask.size() - 4, "the file extension is added automatically", "omit .csv");
     }
     const auto pieces = piecesOf(mask);
     return pieces ? Result<void>() : failure(pieces.error());
@@ -214,8 +214,8 @@ Result<QString> firstRecordingName(const QString& mask, const NameParts& parts, 
     }
     if (const int octets = name.toUtf8().size(); octets > LongestName_octets) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("the recording's name would have {} octets", octets),
-                       fmt::format("shorten the name or its mask to {} octets", LongestName_octets));
+                       fmt::format("the name of the recording would have {} bytes", octets),
+                       fmt::format("shorten the name or the mask to {} bytes", LongestName_octets));
     }
     return name;
 }

@@ -22,7 +22,7 @@ constexpr qint64 Recent_s = 86400;
 constexpr qint64 Day_s = 86400;
 constexpr qint64 Future_s =
     300; ///< by so much the clocks of a disk in the network and of this machine differ
-constexpr const char* Example = "say e.g. --retain 30d, --retain 20GB or --retain 30d,20GB";
+constexpr const char* Example = "use e.g. --retain 30d, --retain 20GB or --retain 30d,20GB";
 
 QString sidecarPath(const QString& data) {
     return QString::fromStdString(devices::metaPathOf(data.toStdString()));
@@ -113,9 +113,10 @@ Result<void> removeFile(const QString& path, RemovalWay way, const TrashMove& mo
         return {};
     }
     if (way == RemovalWay::Trash) {
-        return failure(ErrorCode::FileSystem, fmt::format("the trash does not take '{}'", path.toStdString()),
-                       "empty the trash; where a disk has none, `halbench recordings --retain ... --delete` "
-                       "deletes for good");
+        return failure(ErrorCode::FileSystem,
+                       fmt::format("'{}' cannot be moved to the trash", path.toStdString()),
+                       "empty the trash; on a disk without trash use `halbench recordings --retain ... "
+                       "--delete` to delete permanently");
     }
     return failure(ErrorCode::FileSystem,
                    fmt::format("cannot remove '{}': {}", path.toStdString(), devices::causeOf(file)),
@@ -133,7 +134,7 @@ Result<RetentionLimits> parseRetention(const std::string& text) {
         const bool isLimit =
             (days && *days <= MostRetentionDays) || (size_GB && *size_GB <= MostRetention_GB);
         if (isTwice || !isLimit) {
-            return failure(ErrorCode::Usage, fmt::format("--retain does not understand '{}'", part), Example);
+            return failure(ErrorCode::Usage, fmt::format("invalid limit '{}' for --retain", part), Example);
         }
         if (days) {
             limits.days = static_cast<int>(*days);
@@ -152,21 +153,21 @@ std::string keptBecauseText(KeptBecause reason) {
     case KeptBecause::Notes:
         return "it has notes";
     case KeptBecause::Results:
-        return "a file beside it bears its name";
+        return "another file has the same name";
     case KeptBecause::Open:
         return "it is open";
     case KeptBecause::Recent:
-        return "it is of the last 24 hours";
+        return "it is less than 24 hours old";
     case KeptBecause::WriteProtected:
         return "it is write-protected";
     case KeptBecause::Link:
         return "it is a link";
     case KeptBecause::ClockInDoubt:
-        return "the clock is in doubt";
+        return "the date is uncertain (check the clock)";
     case KeptBecause::Changed:
         break;
     }
-    return "its rows were changed";
+    return "its data were changed";
 }
 
 RetentionPlan planRetention(const QString& folder, const RetentionLimits& limits, const QDateTime& now) {
@@ -227,8 +228,8 @@ Result<void> removeRecording(const RetentionPlan::Removal& removal, RemovalWay w
     if (kept) {
         return failure(
             ErrorCode::Refused,
-            fmt::format("'{}' stays: {}", removal.recording.name.toStdString(), keptBecauseText(*kept)),
-            "it is looked at again the next time");
+            fmt::format("'{}' is kept: {}", removal.recording.name.toStdString(), keptBecauseText(*kept)),
+            "it is checked again next time");
     }
     const Result<void> removed = removeFile(path, way, moveToTrash);
     return removed ? removeFile(sidecarPath(path), way, moveToTrash) : removed;

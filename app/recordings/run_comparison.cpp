@@ -42,7 +42,7 @@ Result<ComparedRun> readRun(const std::string& path, const std::function<Result<
     }
     if (values > room) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("'{}' has {} numbers, too many beside the others", path, values),
+                       fmt::format("'{}' has {} numbers, too many for the comparison", path, values),
                        "compare fewer recordings, or parts of them (halbench convert --from --to)");
     }
     const std::string name = QFileInfo(QString::fromStdString(path)).completeBaseName().toStdString();

@@ -18,7 +18,7 @@ Result<void> changeSidecar(const QString& path, const char* hint,
     QLockFile lock(QString::fromStdString(sidecar + ".lock"));
     constexpr int LongestWait_ms = 5000;
     if (!lock.tryLock(LongestWait_ms) && lock.error() == QLockFile::LockFailedError) {
-        return failure(ErrorCode::FileSystem, fmt::format("another program changes '{}'", sidecar),
+        return failure(ErrorCode::FileSystem, fmt::format("another program is changing '{}'", sidecar),
                        "try again");
     }
     QFile old(QString::fromStdString(sidecar));
@@ -29,7 +29,7 @@ Result<void> changeSidecar(const QString& path, const char* hint,
     QJsonObject root = QJsonDocument::fromJson(old.readAll()).object();
     if (root.isEmpty()) {
         return failure(ErrorCode::InvalidInput, fmt::format("'{}' is damaged", sidecar),
-                       "remove the sidecar to read the data without it");
+                       "remove the .meta.json file to read the data without it");
     }
     change(root);
     const std::string working = sidecar + ".new";
@@ -51,7 +51,7 @@ Result<void> writeRecordingMarkers(const QString& path,
         list.append(QJsonObject{{QStringLiteral("time_s"), marker.time_s},
                                 {QStringLiteral("text"), QString::fromStdString(marker.text)}});
     }
-    return changeSidecar(path, "only recordings with their sidecar keep markers that are changed later",
+    return changeSidecar(path, "editing markers needs a recording with a .meta.json file",
                          [&](QJsonObject& root) { root.insert(QStringLiteral("markers"), list); });
 }
 

@@ -20,7 +20,7 @@ std::vector<ReportTable::Cell> marginRow(const char* name, const control::Measur
                                          const char* unit) {
     if (!margin.value) {
         return {
-            plain(name), {"withheld, see the findings", ReportTone::Warn}, plain("\u2013"), plain("\u2013")};
+            plain(name), {"not given, see the findings", ReportTone::Warn}, plain("\u2013"), plain("\u2013")};
     }
     return {plain(name), plain(fmt::format("{:.2f}{}", *margin.value, unit)),
             plain(fmt::format("{:.2f} to {:.2f}{}", margin.interval->first, margin.interval->second, unit)),
@@ -61,15 +61,14 @@ ReportTable bandTable(const FrequencyResult& result) {
 std::string useCaption(const FrequencyResult& result) {
     const auto used = std::count_if(result.points.begin(), result.points.end(),
                                     [](const FrequencyResultPoint& point) { return point.isUsed; });
-    return fmt::format(
-        "{} of {} frequencies have a coherence of {:.3g} or more; the others are hollow and part of "
-        "no margin and no fit.",
-        used, result.points.size(), result.config.leastCoherence);
+    return fmt::format("{} of {} frequencies have a coherence of at least {:.3g}. The others are hollow and "
+                       "not used for margins and fit.",
+                       used, result.points.size(), result.config.leastCoherence);
 }
 
 ReportFacts factsOf(const FrequencyResult& result) {
     return {{{"duration", fmt::format("{:.1f} s", result.duration_s), ReportTone::Plain},
-             {"lowest speed while excited", fmt::format("{:.2f} rad/s", result.lowestSpeed_rad_s),
+             {"minimum speed during excitation", fmt::format("{:.2f} rad/s", result.lowestSpeed_rad_s),
               ReportTone::Plain},
              {"highest current", fmt::format("{:.2f} A", result.highestCurrent_A), ReportTone::Plain},
              {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC),
@@ -84,9 +83,9 @@ ReportSection frequencySection(const std::string& heading, const FrequencyResult
     section.blocks.emplace_back(marginTable(result.margins));
     if (result.fit) {
         section.blocks.emplace_back(
-            estimateTable("The rotor that fits the points",
+            estimateTable("Fitted rotor",
                           {row("c/J", result.fit->dampingRate), row("\u03c6/J", result.fit->accelerationGain),
-                           row("angle that follows the current at once", result.fit->feedthrough)}));
+                           row("direct feed-through from current to angle", result.fit->feedthrough)}));
     }
     section.blocks.emplace_back(
         ReportPlot{frequencyFigure(result, FrequencyView::OpenLoop), useCaption(result)});

@@ -59,7 +59,7 @@ std::string correlationWords(double correlation) {
 }
 
 void appendExcitation(ReportSection& section, const Recording& recording) {
-    widgets::Figure figure{"The excitation as recorded", {"time", "s", false, {}, {}, {}}, {}};
+    widgets::Figure figure{"Excitation as recorded", {"time", "s", false, {}, {}, {}}, {}};
     constexpr std::array<std::array<const char*, 3>, 2> Signals = {
         {{"speed", "speed", "rad/s"}, {"current_command", "current amplitude", "A"}}};
     for (const auto& [signal, words, unit] : Signals) {
@@ -103,6 +103,30 @@ ReportSection identificationSection(const std::string& heading, const IdentifyRe
             ReportPlot{std::move(region->figure), correlationWords(region->correlation)});
     }
     appendExcitation(section, result.recording);
+    section.blocks.emplace_back(ReportFacts{
+        {{"duration of the excitation", fmt::format("{:.1f} s", result.duration_s)},
+         {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}});
+    return section;
+}
+
+ReportSection axesIdentificationSection(const std::string& heading, const AxesIdentifyResult& result) {
+    ReportSection section{heading, {}};
+    section.blocks.emplace_back(ReportQuality{result.quality});
+    for (const IdentifiedAxis& axis : result.model.axes) {
+        section.blocks.emplace_back(
+            estimateTable("Axis " + axis.axis, {row("damping rate", axis.dampingRate),
+                                                row("acceleration per effort", axis.accelerationGain),
+                                                row("friction, as effort", axis.breakawayEffort)}));
+    }
+    const auto addAll = [&section](const char* title, const std::vector<NamedEstimate>& estimates) {
+        std::vector<ReportEstimate> rows;
+        for (const NamedEstimate& each : estimates) {
+            rows.push_back(row(each.title, each.estimate));
+        }
+        section.blocks.emplace_back(estimateTable(title, rows));
+    };
+    addAll("Constants", result.constants);
+    addAll("Ratios that need no given constant", result.ratios);
     section.blocks.emplace_back(ReportFacts{
         {{"duration of the excitation", fmt::format("{:.1f} s", result.duration_s)},
          {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}});

@@ -211,11 +211,11 @@ void appendChanges(ReportSection& section, const ApplyResult& result) {
     std::erase_if(changes, [](const ReportChange& change) { return !differs(change); });
     if (changes.empty()) {
         section.blocks.emplace_back(
-            ReportParagraph{fmt::format("All {} values were on the board already.", asked)});
+            ReportParagraph{fmt::format("All {} values were already on the device.", asked)});
         return;
     }
     section.blocks.emplace_back(
-        ReportParagraph{fmt::format("{} of {} given values were new to the board.", changes.size(), asked)});
+        ReportParagraph{fmt::format("{} of {} given values were new to the device.", changes.size(), asked)});
     section.blocks.emplace_back(changeTable("Changed parameters", changes));
 }
 
@@ -233,11 +233,34 @@ ReportSection moveSection(const std::string& heading, const MoveResult& result,
     return section;
 }
 
+ReportSection axesApplySection(const std::string& heading, const ApplyAxesResult& result) {
+    ReportSection section{heading, {}};
+    section.blocks.emplace_back(result.isKept
+                                    ? ReportParagraph{"New values active on the device.", ReportTone::Good}
+                                    : ReportParagraph{"Old values restored.", ReportTone::Warn});
+    section.blocks.emplace_back(ReportQuality{result.quality});
+    ApplyResult changed;
+    changed.before = result.before;
+    changed.after = result.after;
+    appendChanges(section, changed);
+    for (const AxisVerification& verified : result.axes) {
+        const ApplyResult& assessment = verified.assessment;
+        section.blocks.emplace_back(
+            ReportParagraph{"Step of axis " + verified.axis.id + ":", ReportTone::Plain});
+        if (assessment.verification) {
+            appendMove(section, *assessment.verification,
+                       assessment.band ? std::optional(assessment.band->predicted) : std::nullopt,
+                       assessment.predicted);
+        }
+    }
+    return section;
+}
+
 ReportSection applySection(const std::string& heading, const ApplyResult& result) {
     ReportSection section{heading, {}};
     section.blocks.emplace_back(result.isKept
-                                    ? ReportParagraph{"The new values run on the board.", ReportTone::Good}
-                                    : ReportParagraph{"The old values were restored.", ReportTone::Warn});
+                                    ? ReportParagraph{"New values active on the device.", ReportTone::Good}
+                                    : ReportParagraph{"Old values restored.", ReportTone::Warn});
     section.blocks.emplace_back(ReportQuality{result.quality});
     appendChanges(section, result);
     if (result.verification) {

@@ -51,9 +51,9 @@ ReportFacts factsOf(const RelayResult& result) {
 ReportSection relaySection(const std::string& heading, const RelayResult& result) {
     ReportSection section{heading, {}};
     section.blocks.emplace_back(ReportQuality{result.quality});
-    section.blocks.emplace_back(estimateTable(
-        "Where proportional control is on its limit",
-        {row("ultimate gain", ultimateGainOf(result)), row("ultimate period", ultimatePeriodOf(result))}));
+    section.blocks.emplace_back(
+        estimateTable("Ultimate gain and period", {row("ultimate gain", ultimateGainOf(result)),
+                                                   row("ultimate period", ultimatePeriodOf(result))}));
     section.blocks.emplace_back(factsOf(result));
     return section;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "app/actuators/htm/motor_analysis.h"
+#include "app/procedures/apply/apply_axes.h"
 #include "app/procedures/apply/apply_procedure.h"
 #include "app/procedures/calibrate/calibrate_procedure.h"
+#include "app/procedures/frequency/axes_frequency.h"
 #include "app/procedures/frequency/frequency_procedure.h"
-#include "app/procedures/identify/identify_procedure.h"
+#include "app/procedures/identify/axes_identification.h"
 #include "app/procedures/move/move_repetition.h"
 #include "app/procedures/relay/relay_procedure.h"
 #include "app/procedures/tune/loop_uncertainty.h"
@@ -23,6 +25,10 @@ namespace halbench::app {
 /// Parameters and ratios with intervals and provenance, regression with residuals, joint confidence region,
 /// the excitation as recorded.
 ReportSection identificationSection(const std::string& heading, const IdentifyResult& result);
+
+/// Damping rate, gain and friction of each axis, constants and ratios of the actuator.
+ReportSection axesFrequencySection(const std::string& heading, const AxesFrequencyResult& result);
+ReportSection axesIdentificationSection(const std::string& heading, const AxesIdentifyResult& result);
 
 /// Margins with their intervals or why they are withheld, the rotor that fits, open loop and plant point by
 /// point with coherence, how strongly each band was excited, the excitation as recorded.
@@ -54,6 +60,11 @@ ReportSection moveSection(const std::string& heading, const MoveResult& result,
 
 /// Parameters before and after, whether they stayed, and the verifying move.
 ReportSection applySection(const std::string& heading, const ApplyResult& result);
+
+/// Gains and margins of the loops of several axes, in the units of each.
+ReportSection axesTuningSection(const std::string& heading, const TuneAxesResult& result);
+/// Whether they stayed, and how each axis answered its step beside its prediction.
+ReportSection axesApplySection(const std::string& heading, const ApplyAxesResult& result);
 
 /// What the published sources of a device say that cannot be true together, and what the program does about
 /// it; nothing for a device without such sources. Source: resources/help/htm-theory.md section 6.

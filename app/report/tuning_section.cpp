@@ -127,9 +127,8 @@ ReportSection tuningSection(const std::string& heading, const TuneResult& result
     section.blocks.emplace_back(gainTable(result.law));
     section.blocks.emplace_back(marginTable(result.predicted, present));
     section.blocks.emplace_back(robustFacts(result.robust));
-    section.blocks.emplace_back(
-        ReportPlot{openLoopFigure(result.predicted, present, {}, {}, uncertainty),
-                   uncertainty ? "Shaded: nine tenths of the motors that the data allow." : ""});
+    section.blocks.emplace_back(ReportPlot{openLoopFigure(result.predicted, present, {}, {}, uncertainty),
+                                           uncertainty ? "Shaded: 5-95 % band (motor uncertainty)." : ""});
     section.blocks.emplace_back(ReportPlot{nyquistFigure(result.predicted, present), {}});
     section.blocks.emplace_back(ReportPlot{rootLocusFigure(result.predicted, present), {}});
     appendPredictedStep(section, result.predicted, present, uncertainty);

@@ -1,6 +1,6 @@
 #include "app/session/connection.h"
 
-#include "devices/open/gone_device.h"
+#include "devices/open/disconnected_device.h"
 
 #include <algorithm>
 #include <utility>
@@ -25,14 +25,6 @@ constexpr auto ReportPeriod = std::chrono::milliseconds(100);
 
 double seconds(Clock::duration duration) {
     return std::chrono::duration<double>(duration).count();
-}
-
-SampleBlockPtr shifted(const SampleBlockPtr& block, double by_s) {
-    auto moved = std::make_shared<SampleBlock>(*block);
-    for (double& time_s : moved->time_s) {
-        time_s += by_s;
-    }
-    return moved;
 }
 
 bool isDifferent(const devices::DeviceState& one, const devices::DeviceState& other) {
@@ -214,7 +206,7 @@ void Connection::lose(const Error& error) {
         m_return.emplace(m_device->info(), m_plan->open, m_plan->times);
     }
     m_isProcedureStreaming = false;
-    m_device = std::make_unique<devices::GoneDevice>(*m_device, m_device->clock().now_s(), error);
+    m_device = std::make_unique<devices::DisconnectedDevice>(*m_device, m_device->clock().now_s(), error);
     const Result<void> goOn = m_return->noteLost(seconds(m_lostAt.time_since_epoch()));
     m_isReturning = goOn.has_value();
     if (!goOn) {
@@ -352,7 +344,7 @@ void Connection::restartLiveStream() {
 /// For a stream that starts now.
 devices::BlockSink Connection::displaySink(devices::BlockSink then) {
     return [this, start_s = displayTime_s(), then = std::move(then)](SampleBlockPtr block) {
-        m_events.onBlock(shifted(block, start_s));
+        m_events.onBlock({block, start_s});
         if (then) {
             then(std::move(block));
         }

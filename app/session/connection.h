@@ -44,7 +44,7 @@ struct ConnectionEvents {
     /// A lost device is back, disarmed, after so many seconds; how often that happened so far. May be empty
     /// for a device that cannot.
     std::function<void(const devices::DeviceInfo&, double outage_s, std::uint64_t returns)> onReturned;
-    std::function<void(SampleBlockPtr)> onBlock; ///< time since the device was opened
+    TimedBlockSink onBlock; ///< its axis: the time since the device was opened
     std::function<void(const Error&)>
         onStreamRefused;            ///< the display's stream, e.g. signals without a common event
     std::function<void()> onClosed; ///< after close(), once the device is disarmed and closed; may be empty
@@ -156,7 +156,7 @@ private:
     std::atomic<std::chrono::steady_clock::time_point> m_lastAlive;
 
     // Used by the connection thread alone.
-    std::unique_ptr<devices::Device> m_device; ///< a devices::GoneDevice while it is looked for
+    std::unique_ptr<devices::Device> m_device; ///< a devices::DisconnectedDevice while it is looked for
     std::unique_ptr<devices::Device> m_former; ///< what jobs from before the last return meet
     std::optional<devices::DeviceReturn> m_return;
     std::uint64_t m_returns = 0;

@@ -1,6 +1,6 @@
 #include "app/session/device_session.h"
 
-#include "app/session/farewell.h"
+#include "app/session/disconnect_task.h"
 #include "devices/open/open_device.h"
 #include "devices/open/remembered_port.h"
 
@@ -99,7 +99,7 @@ devices::OpenOptions DeviceSession::optionsFor(const Wish& wish,
             message(MessageLevel::Info, tr("board"), QString::fromStdString(text));
             if (const std::uint64_t count = valve->leftOut.exchange(0); count > 0) {
                 message(MessageLevel::Warning, tr("board"),
-                        tr("%1 more lines came too fast to be shown")
+                        tr("%1 more messages not shown (too many at once)")
                             .arg(QLocale().toString(static_cast<qulonglong>(count))));
             }
         });
@@ -120,11 +120,11 @@ void DeviceSession::leave() {
     }
     abortProcedure();
     if (report().board.isArmed) {
-        message(MessageLevel::Info, tr("connection"), tr("armed: it is disarmed before it is left"));
+        message(MessageLevel::Info, tr("connection"), tr("armed: will be disarmed before disconnecting"));
     }
     setState(SessionState::Leaving);
     if (m_procedure.isEmpty()) {
-        Farewell::say(*this, *m_connection);
+        DisconnectTask::say(*this, *m_connection);
         m_connection->close();
     } else {
         QTimer::singleShot(RestorePatience_ms, this, &DeviceSession::disarmWhatStillRuns);
@@ -164,7 +164,7 @@ void DeviceSession::end() {
         m_procedure.clear();
     }
     if (m_connection) {
-        Farewell::say(*this, *m_connection);
+        DisconnectTask::say(*this, *m_connection);
     }
     takeConnection().reset();
     m_state = SessionState::Disconnected;
@@ -196,15 +196,15 @@ ConnectionEvents DeviceSession::events() {
                     QString::fromStdString(error.message + ". " + error.hint));
         });
     };
-    events.onBlock = [this](SampleBlockPtr block) {
+    events.onBlock = [this](const TimedBlock& block) {
         m_inbox.push(block);
-        devices::BlockSink sink;
+        TimedBlockSink sink;
         {
             const std::lock_guard lock(m_mutex);
             sink = m_blockSink;
         }
         if (sink) {
-            sink(std::move(block));
+            sink(block);
         }
     };
     return events;
@@ -244,8 +244,7 @@ void DeviceSession::reported(const ConnectionReport& report) {
         message(MessageLevel::Error, tr("connection"), QString::fromStdString(report.lost->message));
     }
     if (isNewlySilent) {
-        message(MessageLevel::Error, tr("stop"),
-                tr("the window did not answer while the actuator was armed, so it was stopped"));
+        message(MessageLevel::Error, tr("stop"), tr("Window not responding while armed: actuator stopped"));
     }
     reportChanged();
 }
@@ -262,7 +261,7 @@ void DeviceSession::returned(const devices::DeviceInfo& info, double outage_s, s
     }
     setState(SessionState::Connected);
     message(MessageLevel::Info, tr("connection"),
-            tr("%1 is back after %2 s, disarmed")
+            tr("%1 reconnected after %2 s, disarmed")
                 .arg(QString::fromStdString(m_info.id), QLocale().toString(outage_s, 'f', 1)));
 }
 
@@ -286,17 +285,16 @@ void DeviceSession::setLiveStream(const std::vector<std::string>& signalNames, d
     }
 }
 
-std::vector<SampleBlockPtr> DeviceSession::takeBlocks() {
+std::vector<TimedBlock> DeviceSession::takeBlocks() {
     const std::uint64_t skipped = m_inbox.skippedRows();
     if (const std::uint64_t more = skipped - std::exchange(m_skippedRows, skipped); more > 0) {
         message(MessageLevel::Warning, tr("samples"),
-                tr("%Ln row(s) came faster than the window could show them and are not drawn", nullptr,
-                   static_cast<int>(more)));
+                tr("%Ln sample(s) not shown: rate too high for the window", nullptr, static_cast<int>(more)));
     }
     return m_inbox.take();
 }
 
-void DeviceSession::setBlockSink(devices::BlockSink sink) {
+void DeviceSession::setBlockSink(TimedBlockSink sink) {
     const std::lock_guard lock(m_mutex);
     m_blockSink = std::move(sink);
 }
@@ -317,7 +315,7 @@ ProcedureObserver DeviceSession::observer() {
     };
     observer.checkAbort = [this]() -> Result<void> {
         if (m_isAborting) {
-            return failure(ErrorCode::Interrupted, "ended by the user", "the old gains run again");
+            return failure(ErrorCode::Interrupted, "cancelled by the user", "old gains restored");
         }
         return {};
     };
@@ -349,7 +347,7 @@ void DeviceSession::endProcedureThread() {
         m_procedure.clear();
         procedureChanged();
         if (m_state == SessionState::Leaving) {
-            Farewell::say(*this, *m_connection);
+            DisconnectTask::say(*this, *m_connection);
             m_connection->close();
         }
     }

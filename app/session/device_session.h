@@ -66,11 +66,11 @@ public:
     /// Samples that arrived since the last call, oldest first; time since the device was opened. What a
     /// window that did not call for two minutes, or a device that floods, brought beyond the room for it is
     /// left out, and said.
-    std::vector<SampleBlockPtr> takeBlocks();
+    std::vector<TimedBlock> takeBlocks();
 
     /// Every block as it comes, on the connection thread, for a recorder; empty: nobody. It must return at
     /// once, and may still be called for the block that was on its way.
-    void setBlockSink(devices::BlockSink sink);
+    void setBlockSink(TimedBlockSink sink);
 
     /// Emergency stop: to the wire within a slice of the connection thread, whatever else is busy.
     void stopActuator() noexcept;
@@ -151,7 +151,7 @@ private:
     devices::DisplayInbox m_inbox;
     std::uint64_t m_skippedRows = 0; ///< of the inbox, as said
     std::mutex m_mutex;              ///< guards the sink
-    devices::BlockSink m_blockSink;
+    TimedBlockSink m_blockSink;
 
     std::mutex m_connectionMutex; ///< guards the pointer against stopActuator() from another thread
     std::unique_ptr<Connection> m_connection;
@@ -193,8 +193,8 @@ void DeviceSession::requestUnlessStoppedSince(std::uint64_t stops, Function func
     request(
         [function, connection, stops](devices::Device& device) -> Answer {
             if (connection->stops() != stops) {
-                return failure(ErrorCode::Interrupted, "a stop came in between, so this was not done",
-                               "find out why it was stopped, then do it again");
+                return failure(ErrorCode::Interrupted, "interrupted by a stop; not executed",
+                               "check the cause of the stop, then try again");
             }
             return function(device);
         },

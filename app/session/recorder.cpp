@@ -30,18 +30,18 @@ Recorder::~Recorder() {
     m_thread.join();
 }
 
-void Recorder::push(SampleBlockPtr block) {
+void Recorder::push(TimedBlock block) {
     {
         const std::lock_guard lock(m_mutex);
         if (m_status.state != RecorderStatus::State::Recording) {
             return;
         }
-        if (m_queued_rows + block->rows() > m_config.queue_rows) {
-            noteDrop(*block);
+        if (m_queued_rows + block.rows() > m_config.queue_rows) {
+            noteDrop(block);
             return;
         }
-        m_queued_rows += block->rows();
-        const bool isLast = m_config.end_s && block->rows() > 0 && block->time_s.back() >= *m_config.end_s;
+        m_queued_rows += block.rows();
+        const bool isLast = m_config.end_s && block.rows() > 0 && block.end_s() >= *m_config.end_s;
         m_queue.push_back(std::move(block));
         if (isLast) {
             m_status.state = RecorderStatus::State::Finishing;
@@ -50,17 +50,17 @@ void Recorder::push(SampleBlockPtr block) {
     m_wake.notify_one();
 }
 
-void Recorder::noteDrop(const SampleBlock& block) {
+void Recorder::noteDrop(const TimedBlock& block) {
     if (block.rows() == 0) {
         return;
     }
     m_status.droppedRows += block.rows();
-    const double begin_s = block.time_s.front();
+    const double begin_s = block.begin_s();
     if (m_drops.empty() || begin_s < m_drops.back().begin_s ||
         begin_s > m_drops.back().end_s + DropDistance_s) {
         m_drops.push_back({begin_s, begin_s, 0});
     }
-    m_drops.back().end_s = block.time_s.back();
+    m_drops.back().end_s = block.end_s();
     m_drops.back().rows += block.rows();
 }
 
@@ -113,7 +113,7 @@ void Recorder::run() {
 /// Until the recording is finished and the queue is empty, or the disk refuses.
 Result<void> Recorder::writeAll(devices::RecordingWriter& writer) {
     for (;;) {
-        std::deque<SampleBlockPtr> blocks;
+        std::deque<TimedBlock> blocks;
         {
             std::unique_lock lock(m_mutex);
             m_wake.wait(lock, [this] {
@@ -125,8 +125,8 @@ Result<void> Recorder::writeAll(devices::RecordingWriter& writer) {
             blocks.swap(m_queue);
             m_queued_rows = 0;
         }
-        for (const SampleBlockPtr& block : blocks) {
-            if (Result<void> written = write(writer, *block); !written) {
+        for (const TimedBlock& block : blocks) {
+            if (Result<void> written = write(writer, block); !written) {
                 return written;
             }
         }
@@ -149,11 +149,11 @@ void Recorder::followLayout(const SampleBlock& block) {
     m_stride = static_cast<std::size_t>(std::max(1.0, std::round(ratio)));
 }
 
-void Recorder::appendRow(SampleBlock& rows, const SampleBlock& block, std::size_t row) const {
-    rows.time_s.push_back(block.time_s[row] - *m_first_s);
+void Recorder::appendRow(SampleBlock& rows, const TimedBlock& block, std::size_t row) const {
+    rows.time_s.push_back(block.time_s(row) - *m_first_s);
     for (const int column : m_columns) {
         rows.values.push_back(column < 0 ? std::numeric_limits<double>::quiet_NaN()
-                                         : block.value(row, static_cast<std::size_t>(column)));
+                                         : block.block->value(row, static_cast<std::size_t>(column)));
     }
 }
 
@@ -164,10 +164,10 @@ std::uint64_t Recorder::missingBefore(double time_s) const {
 }
 
 /// The rows to keep, split before every gap: a block of the file follows its gap.
-std::vector<SampleBlock> Recorder::keptRows(const SampleBlock& block) {
+std::vector<SampleBlock> Recorder::keptRows(const TimedBlock& block) {
     std::vector<SampleBlock> parts;
     for (std::size_t row = 0; row < block.rows(); ++row) {
-        const double time_s = block.time_s[row];
+        const double time_s = block.time_s(row);
         const bool isBeyond = m_config.end_s && time_s >= *m_config.end_s;
         if (m_sourceRow++ % m_stride != 0 || (m_first_s && time_s <= m_last_s) || isBeyond) {
             continue;
@@ -177,7 +177,7 @@ std::vector<SampleBlock> Recorder::keptRows(const SampleBlock& block) {
             parts.emplace_back();
             parts.back().layout = m_layout;
             parts.back().lostRows = missing;
-            parts.back().isBreak = block.isBreak && row == 0;
+            parts.back().isBreak = block.block->isBreak && row == 0;
         }
         m_first_s = m_first_s ? m_first_s : time_s;
         m_last_s = time_s;
@@ -186,8 +186,8 @@ std::vector<SampleBlock> Recorder::keptRows(const SampleBlock& block) {
     return parts;
 }
 
-Result<void> Recorder::write(devices::RecordingWriter& writer, const SampleBlock& block) {
-    followLayout(block);
+Result<void> Recorder::write(devices::RecordingWriter& writer, const TimedBlock& block) {
+    followLayout(*block.block);
     for (const SampleBlock& part : keptRows(block)) {
         if (Result<void> written = writer.append(part); !written) {
             return written;
@@ -216,8 +216,8 @@ devices::RecordingEvents Recorder::events() const {
         events.changes.push_back({std::max(0.0, change.time_s - first_s), change.name, change.value});
     }
     for (const Drop& drop : m_drops) {
-        events.markers.push_back({std::max(0.0, drop.begin_s - first_s),
-                                  fmt::format("{} rows dropped: the disk did not keep up", drop.rows)});
+        events.markers.push_back(
+            {std::max(0.0, drop.begin_s - first_s), fmt::format("{} rows lost: disk too slow", drop.rows)});
     }
     events.droppedRows = m_status.droppedRows;
     return events;

@@ -54,7 +54,7 @@ public:
     Recorder& operator=(const Recorder&) = delete;
 
     /// Returns at once.
-    void push(SampleBlockPtr block);
+    void push(TimedBlock block);
     /// Times on the clock of the blocks.
     void addMarker(double time_s, const std::string& text);
     void addChange(double time_s, const std::string& parameter, double value);
@@ -72,15 +72,15 @@ private:
     };
 
     void run();
-    std::vector<SampleBlock> keptRows(const SampleBlock& block);
-    Result<void> write(devices::RecordingWriter& writer, const SampleBlock& block);
+    std::vector<SampleBlock> keptRows(const TimedBlock& block);
+    Result<void> write(devices::RecordingWriter& writer, const TimedBlock& block);
     Result<void> writeAll(devices::RecordingWriter& writer);
     devices::RecordingEvents events() const;
     void noteEvents(devices::RecordingWriter& writer) const;
     void keepEvents(devices::RecordingWriter& writer);
-    void noteDrop(const SampleBlock& block);
+    void noteDrop(const TimedBlock& block);
     void followLayout(const SampleBlock& block);
-    void appendRow(SampleBlock& rows, const SampleBlock& block, std::size_t row) const;
+    void appendRow(SampleBlock& rows, const TimedBlock& block, std::size_t row) const;
     std::uint64_t missingBefore(double time_s) const;
     void end(const Result<void>& result);
 
@@ -89,7 +89,7 @@ private:
 
     mutable std::mutex m_mutex; ///< guards the queue and the status
     std::condition_variable m_wake;
-    std::deque<SampleBlockPtr> m_queue;
+    std::deque<TimedBlock> m_queue;
     std::size_t m_queued_rows = 0;
     std::vector<devices::RecordingMeta::Marker> m_markers;
     std::vector<devices::RecordingMeta::ParameterChange> m_changes;

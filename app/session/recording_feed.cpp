@@ -16,12 +16,12 @@ std::optional<devices::HeldRows> heldFor(std::optional<double> length_s) {
 
 } // namespace
 
-void RecordingFeed::push(SampleBlockPtr block) {
+void RecordingFeed::push(const TimedBlock& block) {
     const std::lock_guard lock(m_mutex);
     if (m_recorder) {
-        m_recorder->push(std::move(block));
+        m_recorder->push(block);
     } else if (m_held) {
-        m_held->add(std::move(block));
+        m_held->add(block);
     }
 }
 
@@ -50,8 +50,8 @@ void RecordingFeed::give(std::shared_ptr<Recorder> recorder, double from_s) {
     const std::lock_guard lock(m_mutex); // a block that comes now waits for those from before it
     m_recorder = std::move(recorder);
     if (m_held) {
-        for (SampleBlockPtr& block : m_held->from(from_s)) {
-            m_recorder->push(std::move(block));
+        for (const TimedBlock& block : m_held->from(from_s)) {
+            m_recorder->push(block);
         }
     }
     m_held.reset();

@@ -14,7 +14,7 @@ namespace halbench::app {
 /// connection thread, everything else from any.
 class RecordingFeed {
 public:
-    void push(SampleBlockPtr block);
+    void push(const TimedBlock& block);
 
     /// So much is kept from now on; nothing: no rows are kept. What was kept is forgotten.
     void keep(std::optional<double> length_s);

@@ -1,7 +1,7 @@
 #include "app/tuning/gains_judgement.h"
 
+#include "app/documents/filtered_gains.h"
 #include "app/documents/result_header.h"
-#include "app/documents/shaped_gains.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@ constexpr const char* UnnamedMethod = "file"; // of gains that do not say how th
 
 bool isPresetItself(const GainsFile& gains, const TuneResult& judged) {
     const auto law = control::designLaw(gains.method, judged.plant, judged.conditions.timing, {});
-    return law && !gains.shaped && isSameLaw(*law, gains.law);
+    return law && !gains.filtered && isSameLaw(*law, gains.law);
 }
 
 } // namespace
@@ -46,19 +46,18 @@ std::optional<Finding> foreignGains(const GainsFile& gains, const devices::Devic
                            : fmt::format("the gains were found for '{}' with other overrides than this "
                                          "device has",
                                          gains.device->id),
-                   "identify this device and tune with that model"};
+                   "identify this device and use its model for tuning"};
 }
 
 std::optional<Finding> otherTiming(const control::LoopTiming& designed, const control::LoopTiming& now) {
     if (designed == now) {
         return std::nullopt;
     }
-    return Finding{
-        "other_timing",
-        fmt::format("the gains are for {:.4g} s with {} samples of delay, this device has {:.4g} s "
-                    "and {}: they are judged as they would run on it",
-                    designed.period_s, designed.delay_samples, now.period_s, now.delay_samples),
-        "design them for the timing of this device"};
+    return Finding{"other_timing",
+                   fmt::format("gains for {:.4g} s and {} samples of delay, this device has {:.4g} s and {}: "
+                               "assessed for this device",
+                               designed.period_s, designed.delay_samples, now.period_s, now.delay_samples),
+                   "design them for the timing of this device"};
 }
 
 void addFinding(TuneResult& result, const Finding& finding) {
@@ -76,8 +75,8 @@ Result<void> checkJudgement(const TuneResult& result) {
     const bool isKnown = unstable != findings.end();
     return failure(ErrorCode::Refused,
                    isKnown ? unstable->message + "; nothing was written"
-                           : std::string("these gains are refused; nothing was written"),
-                   isKnown ? unstable->hint : std::string("see their findings"));
+                           : std::string("these gains are rejected; nothing was written"),
+                   isKnown ? unstable->hint : std::string("check their findings"));
 }
 
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #include "app/tuning/loop_conditions.h"
 
+#include "app/procedures/base/doubtful_source.h"
 #include "devices/profile.h"
 
 #include <algorithm>
@@ -91,6 +92,10 @@ std::optional<std::pair<double, double>> strayInterval(const CalibrateResult& ca
     return std::nullopt;
 }
 
+std::vector<Finding> calibrationDoubts(const CalibrateResult& calibration) {
+    return doubtsOfCalibration(calibration.quality);
+}
+
 void takeStrayInterval(LoopConditions& conditions,
                        const std::optional<std::pair<double, double>>& interval95_T_per_A) {
     if (conditions.stray && interval95_T_per_A) {
@@ -108,6 +113,11 @@ Result<void> takeCalibration(LoopConditions& conditions, const std::string& path
     if (!file) {
         return failure(file.error());
     }
+    if (file->quality.verdict == Verdict::Refused) {
+        return failure(ErrorCode::Refused, path + ": this calibration was refused",
+                       "see its findings, then calibrate again");
+    }
+    conditions.doubts = doubtsOfCalibration(file->quality);
     if (!file->stray95_T_per_A) {
         return failure(ErrorCode::Refused, path + ": holds no stray coefficient",
                        "calibrate with 'stray' or 'all'");

@@ -28,6 +28,8 @@ Result<LoopConditions> loopConditionsOf(devices::Device& device);
 
 /// 95 % interval of k_s in T/A, when the calibration found it.
 std::optional<std::pair<double, double>> strayInterval(const CalibrateResult& calibration);
+/// The doubts that it casts on loops which are judged with it.
+std::vector<Finding> calibrationDoubts(const CalibrateResult& calibration);
 
 /// Sets the error of the coefficient that the board compensates with: its distance from the far end of the
 /// interval, so that a calibration that was not applied counts too (resources/help/htm-theory.md 8.4).

@@ -1,8 +1,8 @@
 #include "app/tuning/what_if_report.h"
 
 #include "app/documents/document_units.h"
+#include "app/documents/filtered_gains.h"
 #include "app/documents/result_header.h"
-#include "app/documents/shaped_gains.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/result_text.h"
 #include "app/procedures/tune/position_law_parameters.h"
@@ -50,14 +50,15 @@ Result<LoopLaw> recordedLaw(const devices::RecordedFile& file, const Values& val
     const auto law = loopLawFromParameters(values, period_s);
     if (!law) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("{}: which gains ran is not recorded beside it", path), GiveRanFile);
+                       fmt::format("{}: the gains during the recording are not in its .meta.json file", path),
+                       GiveRanFile);
     }
     for (const devices::RecordingMeta::ParameterChange& change : file.meta.changes) {
         if (isOfLaw(change.name)) {
             return failure(ErrorCode::InvalidInput,
                            fmt::format("{}: {} was changed at {:.3g} s of the recording", path, change.name,
                                        change.time_s),
-                           "record a move under one set of gains");
+                           "record a move with constant gains");
         }
     }
     return law;
@@ -79,7 +80,7 @@ JsonValue figuresOf(const MotionFigures& figures) {
     return body.set("overshoot_rad", finiteOrNull(figures.overshoot_rad));
 }
 
-double widest_rad(const MotionBand& band) {
+double widest_rad(const MotionEnvelope& band) {
     double widest = 0.0;
     for (std::size_t i = 0; i < band.time_s.size(); ++i) {
         widest = std::max(widest, 0.5 * (band.angle_rad.p95[i] - band.angle_rad.p5[i]));
@@ -129,14 +130,14 @@ Result<RanMove> readRanMove(const std::string& recordingPath, const std::string&
         }
         ran.law = *law;
     } else {
-        const Result<GainsFile> gains = readShapedGains(ranFile);
+        const Result<GainsFile> gains = readFilteredGains(ranFile);
         if (!gains) {
             return failure(gains.error());
         }
         if (gains->timing.period_s != conditions.timing.period_s) {
             return failure(ErrorCode::InvalidInput,
-                           ranFile + ": the gains that ran are of another sample period",
-                           "compare gains of one board");
+                           ranFile + ": the recorded gains have another sampling period",
+                           "compare gains of the same device");
         }
         ran.law = gains->loopLaw();
         ran.conditions.timing = gains->timing;
@@ -198,7 +199,7 @@ std::string whatIfTable(const WhatIfReport& report) {
     const RecordedMove& move = report.basis.config.move;
     const std::vector<double>& time_s = report.basis.explained.time_s;
     for (std::size_t i = 0; i < time_s.size(); ++i) {
-        const std::size_t row = i * MotionBandStride;
+        const std::size_t row = i * MotionEnvelopeStride;
         text += formatNumber(time_s[i]) + "," + formatNumber(move.reference_rad[row]) + "," +
                 formatNumber(move.position_rad[row]);
         if (report.predicted) {

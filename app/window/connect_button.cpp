@@ -15,7 +15,7 @@ ConnectButton::ConnectButton(Workbench& bench, QWidget* parent) : QToolButton(pa
     setMenu(new QMenu(this));
     setFocusPolicy(Qt::StrongFocus);
     connect(menu(), &QMenu::aboutToShow, this, &ConnectButton::fillMenu);
-    connect(this, &QToolButton::clicked, this, &ConnectButton::toggleRequested);
+    connect(this, &QToolButton::clicked, this, &ConnectButton::act);
     connect(&m_bench.session(), &DeviceSession::stateChanged, this, &ConnectButton::refresh);
     refresh();
 }
@@ -30,25 +30,64 @@ void ConnectButton::fillMenu() {
     }
 }
 
+bool ConnectButton::isRecordingOpen() const {
+    const DeviceSession& session = m_bench.session();
+    return session.state() == SessionState::Connected && session.info().transport == "replay";
+}
+
+void ConnectButton::act() {
+    if (isRecordingOpen() && !m_before.isEmpty()) {
+        Q_EMIT deviceChosen(m_before);
+        return;
+    }
+    m_before.clear(); // whoever disconnects is done with it
+    Q_EMIT toggleRequested();
+}
+
+QString ConnectButton::wordsNow() const {
+    if (isRecordingOpen()) {
+        return m_before.isEmpty() ? tr("Close") : tr("Back");
+    }
+    return m_bench.session().state() == SessionState::Disconnected ? tr("Connect") : tr("Disconnect");
+}
+
+QString ConnectButton::tipNow() const {
+    if (isRecordingOpen()) {
+        return m_before.isEmpty()
+                   ? tr("Close the recording (Ctrl+Shift+C)")
+                   : tr("Close the recording and connect %1 again (Ctrl+Shift+C)").arg(m_before);
+    }
+    switch (m_bench.session().state()) {
+    case SessionState::Disconnected:
+        return tr("Connect the selected device (Ctrl+Shift+C; list: Alt+Down)");
+    case SessionState::Reconnecting:
+        return tr("Stop searching for the device (Ctrl+Shift+C)");
+    default:
+        return tr("Stop, disarm and disconnect (Ctrl+Shift+C)");
+    }
+}
+
 void ConnectButton::refresh() {
-    const SessionState state = m_bench.session().state();
-    const bool isFree = state == SessionState::Disconnected;
+    const DeviceSession& session = m_bench.session();
+    const SessionState state = session.state();
+    if (state == SessionState::Connected && !isRecordingOpen()) {
+        m_before = QString::fromStdString(session.info().uri);
+    }
     setEnabled(state != SessionState::Leaving);
-    setText(isFree ? tr("Connect") : tr("Disconnect"));
+    setText(wordsNow());
     setAccessibleName(text());
-    setIcon(widgets::themedIcon(isFree ? "connect" : "disconnect"));
-    setToolTip(isFree ? tr("Connect the device of the Devices panel; the menu lists what is there "
-                           "(Ctrl+Shift+C, Alt+Down)")
-               : state == SessionState::Reconnecting
-                   ? tr("End the search for the device (Ctrl+Shift+C)")
-                   : tr("End what runs, disarm and disconnect (Ctrl+Shift+C)"));
+    setIcon(widgets::themedIcon(state == SessionState::Disconnected ? "connect" : "disconnect"));
+    setToolTip(tipNow());
     setAccessibleDescription(toolTip());
     setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+C"))); // a new text forgets it
 }
 
 int ConnectButton::words_px() const {
-    return std::max(fontMetrics().horizontalAdvance(tr("Connect")),
-                    fontMetrics().horizontalAdvance(tr("Disconnect")));
+    int widest_px = 0;
+    for (const QString& words : {tr("Connect"), tr("Disconnect"), tr("Back"), tr("Close")}) {
+        widest_px = std::max(widest_px, fontMetrics().horizontalAdvance(words));
+    }
+    return widest_px;
 }
 
 int ConnectButton::saved_px() const {

@@ -2,8 +2,12 @@
 
 #include "widgets/controls/stop_button.h"
 
+#include <QDir>
 #include <QFileDialog>
 #include <QGridLayout>
+#include <QStandardPaths>
+
+#include <memory>
 
 namespace halbench::app {
 namespace {
@@ -13,10 +17,22 @@ QString firstSuffix(const QString& filter) {
     return filter.section(QStringLiteral("*."), 1, 1).section(QLatin1Char(' '), 0, 0).section(')', 0, 0);
 }
 
-QString ask(QWidget* parent, const FileQuestion& question, bool isSaving, Workbench& bench) {
+/// Of the recordings until a file was chosen; where the program was started says nothing to a window.
+QString firstFolder(Workbench& bench) {
+    const QString recordings = bench.recording().folder();
+    return QDir(recordings).exists() ? recordings
+                                     : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+QString ask(QWidget* parent, const FileQuestion& question, bool isSaving, Workbench& bench, QString& folder) {
     QFileDialog dialog(parent);
+    dialog.setDirectory(folder.isEmpty() ? firstFolder(bench) : folder);
     dressFileDialog(dialog, question, isSaving, bench);
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
+    if (dialog.exec() != QDialog::Accepted) {
+        return {};
+    }
+    folder = dialog.directory().absolutePath();
+    return dialog.selectedFiles().value(0);
 }
 
 } // namespace
@@ -42,11 +58,12 @@ void dressFileDialog(QFileDialog& dialog, const FileQuestion& question, bool isS
 }
 
 FileChooser fileDialogs(Workbench& bench) {
-    return {[&bench](QWidget* parent, const FileQuestion& question) {
-                return ask(parent, question, true, bench);
+    const auto folder = std::make_shared<QString>(); // of the last file that was chosen
+    return {[&bench, folder](QWidget* parent, const FileQuestion& question) {
+                return ask(parent, question, true, bench, *folder);
             },
-            [&bench](QWidget* parent, const FileQuestion& question) {
-                return ask(parent, question, false, bench);
+            [&bench, folder](QWidget* parent, const FileQuestion& question) {
+                return ask(parent, question, false, bench, *folder);
             }};
 }
 

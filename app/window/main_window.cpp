@@ -2,28 +2,34 @@
 
 #include "app/window/docks/arrangement_notice.h"
 #include "app/window/docks/dock_layout.h"
+#include "app/window/docks/panel_needs.h"
+#include "app/window/docks/panel_toggle.h"
+#include "app/window/docks/perspective_bar.h"
 #include "app/window/file_dialogs.h"
+#include "app/window/file_drop.h"
 #include "app/window/focus_fallback.h"
 #include "app/window/help/help_window.h"
+#include "app/window/panel_connections.h"
 #include "app/window/preferences/language.h"
 #include "app/window/preferences/preferences_dialog.h"
 #include "app/window/preferences/recording_place.h"
 #include "app/window/preferences/recording_tidying.h"
 #include "app/window/project/project_menu.h"
 #include "app/window/project/project_work.h"
-#include "app/window/project/unkept_bar.h"
+#include "app/window/project/unsaved_bar.h"
 #include "app/window/return_key.h"
 #include "app/window/stop_guard.h"
-#include "app/window/task_flow.h"
 #include "app/window/top_bar.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/device/device_panel.h"
 #include "app/workspaces/device/link_panel.h"
+#include "app/workspaces/device/log_panel.h"
 #include "app/workspaces/device/notes_panel.h"
 #include "app/workspaces/device/return_notice.h"
 #include "app/workspaces/drive/arm_button.h"
 #include "app/workspaces/monitor/monitor_panel.h"
+#include "app/workspaces/recordings/recordings_panel.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "devices/history/page_file.h"
 #include "widgets/controls/wheel_guard.h"
@@ -162,17 +168,61 @@ void MainWindow::furnish() {
     m_notes = static_cast<NotesPanel*>(m_docks->panel("notes"));
     connectPanels();
     fillMenus();
+    connectDrops();
     m_project->beginWith(shownProject());
     m_autosave.start(AutosavePeriod_ms);
     m_devices->setRemembered(m_preferences.lastDevice);
     connect(&m_bench.session(), &DeviceSession::stateChanged, this, &MainWindow::keepLastDevice);
     connect(&m_bench.session(), &DeviceSession::stateChanged, this, &MainWindow::leaveConnection);
+    connect(&m_bench.session(), &DeviceSession::stateChanged, this, &MainWindow::followDevice);
+    connect(m_docks, &DockLayout::offerChanged, this, &MainWindow::followOffer);
     m_devices->setFocus(); // Enter after the start connects
     furnished();
 }
 
+/// What stands beside the plots and below them is folded at first: a key or a button each.
+void MainWindow::createPanelKeys() {
+    const QList<QAction*> actions = {
+        makePanelToggle(*m_docks, QStringLiteral("signals"), QKeySequence(QStringLiteral("F6"))),
+        makePanelToggle(*m_docks, QStringLiteral("drive"), QKeySequence(QStringLiteral("F7"))),
+        makePanelToggle(*m_docks, QStringLiteral("parameters"), QKeySequence(QStringLiteral("F8")))};
+    addActions(actions);
+    static_cast<MonitorPanel*>(m_docks->panel("monitor"))->addTools(actions);
+    QAction* log = makePanelToggle(*m_docks, QStringLiteral("log"), QKeySequence(QStringLiteral("F9")));
+    addAction(log);
+    connect(m_link, &LinkPanel::logRequested, log, &QAction::trigger);
+    auto* panel = static_cast<LogPanel*>(m_docks->panel("log"));
+    connect(panel, &LogPanel::said, m_link, &LinkPanel::showLine);
+    connect(panel, &LogPanel::said, m_docks, [docks = m_docks](MessageLevel level) {
+        if (level == MessageLevel::Warning || level == MessageLevel::Error) {
+            docks->unfold(QStringLiteral("log"));
+        }
+    });
+}
+
+/// The plots, the state and STOP; everything else comes back as it was.
+void MainWindow::showPlotsOnly(bool isOnly) {
+    if (isOnly) {
+        m_docks->setPerspective(Perspective::Monitor);
+    }
+    m_docks->setMainOnly(isOnly);
+}
+
+void MainWindow::connectDrops() {
+    auto* drop = new FileDrop(*this);
+    connect(drop, &FileDrop::projectDropped, m_projects, &ProjectMenu::open);
+    connect(drop, &FileDrop::recordingDropped, this, [this](const QString& path) {
+        m_docks->setPerspective(Perspective::Record);
+        static_cast<RecordingsPanel*>(m_docks->panel("recordings"))->open(path);
+    });
+    connect(drop, &FileDrop::refused, this, [this](const QString& text, const QString& hint) {
+        onMessage(widgets::Severity::Error, text, hint);
+    });
+}
+
 void MainWindow::connectPanels() {
-    connectTaskFlow(*m_docks, m_bench);
+    connectPanelConnections(*m_docks, m_bench);
+    createPanelKeys();
     auto* identify = static_cast<IdentifyPanel*>(m_docks->panel("identify"));
     auto* calibrate = static_cast<CalibratePanel*>(m_docks->panel("calibrate"));
     connect(identify, &IdentifyPanel::helpRequested, this, &MainWindow::openHelp);
@@ -187,7 +237,7 @@ void MainWindow::connectPanels() {
 
 /// Whichever perspective is shown: it went with its device, and nothing asked.
 void MainWindow::sayGainsLeft(const QString& text, const QString& remedy, const QString& design) {
-    say({widgets::Severity::Information, text, remedy, tr("Take them up")}, [this, design] {
+    say({widgets::Severity::Information, text, remedy, tr("Use them")}, [this, design] {
         m_message->clear();
         m_docks->setPerspective(Perspective::Tune);
         static_cast<TunePanel*>(m_docks->panel("tune"))->takeUpDesign(design.toStdString());
@@ -210,7 +260,7 @@ void MainWindow::buildCentre() {
     });
     m_refusal = new widgets::MessageBar(centre);
     connect(m_refusal, &widgets::MessageBar::actionTriggered, this, &MainWindow::closeAnyway);
-    m_unkept = new UnkeptBar(centre);
+    m_unkept = new UnsavedBar(centre);
     auto* notice = new ReturnNotice(m_bench, centre);
     auto* arrangement = new ArrangementNotice(*m_docks, centre);
     for (QWidget* line :
@@ -218,7 +268,8 @@ void MainWindow::buildCentre() {
         column->addWidget(line);
     }
     column->addWidget(new DockRoom(*m_docks->widget(), centre), 1);
-    column->addWidget(new LinkPanel(m_bench, centre));
+    m_link = new LinkPanel(m_bench, centre);
+    column->addWidget(m_link);
     setCentralWidget(centre);
     connect(m_bar, &TopBar::perspectiveChosen, m_docks, &DockLayout::enterPerspective);
     connect(m_bar, &TopBar::consentNeeded, this, &MainWindow::askConsent);
@@ -233,7 +284,7 @@ void MainWindow::buildCentre() {
     });
     connect(&connection, &ConnectButton::deviceChosen, this, &MainWindow::connectDevice);
     connect(m_docks, &DockLayout::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
-    connect(m_docks, &DockLayout::stopRequested, this, [this] { noteStop(tr("by STOP of a panel")); });
+    connect(m_docks, &DockLayout::stopRequested, this, [this] { noteStop(tr("by STOP of a panel window")); });
     connect(m_bar, &TopBar::stopPressed, this, [this] { noteStop(tr("by STOP")); });
     connect(m_docks, &DockLayout::perspectiveChanged, this, &MainWindow::onPerspective);
 }
@@ -241,6 +292,27 @@ void MainWindow::buildCentre() {
 void MainWindow::onPerspective() {
     m_bar->setPerspective(m_docks->perspective());
     m_preferences.perspective = perspectiveId(m_docks->perspective());
+}
+
+/// One that is lost may come back, and one that is being left is there yet.
+void MainWindow::followDevice() {
+    const DeviceSession& session = m_bench.session();
+    m_docks->setDeviceOpen(session.state() != SessionState::Disconnected &&
+                           session.state() != SessionState::Connecting);
+    if (session.state() == SessionState::Connected) {
+        m_docks->setAbsent(absentPanels(session.info(), session.catalogue()));
+    } else if (session.state() == SessionState::Disconnected) {
+        m_docks->setAbsent({});
+    }
+}
+
+void MainWindow::followOffer() {
+    for (const Perspective perspective : AllPerspectives) {
+        m_bar->perspectives().setOffered(perspective, m_docks->isOffered(perspective));
+    }
+    m_bar->setOffered(m_docks->isOffered(QStringLiteral("drive")),
+                      m_docks->isOffered(QStringLiteral("record")));
+    m_editMenu->menuAction()->setVisible(m_docks->isOffered(Perspective::Tune)); // the gains' history
 }
 
 /// At once, so that a crash does not forget it.
@@ -279,7 +351,7 @@ void MainWindow::openHelp(const QString& address) {
     window->setAttribute(Qt::WA_DeleteOnClose);
     window->setNothingToStop([this] { return m_bench.drive().isNothingToStop(); });
     connect(window, &HelpWindow::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
-    connect(window, &HelpWindow::stopRequested, this, [this] { noteStop(tr("by STOP of the help")); });
+    connect(window, &HelpWindow::stopRequested, this, [this] { noteStop(tr("by STOP of the help window")); });
     window->show();
 }
 
@@ -288,7 +360,7 @@ void MainWindow::noteStop(const QString& by) {
     const SessionState state = m_bench.session().state();
     if (state == SessionState::Connected || state == SessionState::Reconnecting) {
         m_bench.setStopAsker(by);
-        m_bench.session().message(MessageLevel::Warning, tr("stop"), tr("asked for %1").arg(by));
+        m_bench.session().message(MessageLevel::Warning, tr("stop"), tr("requested %1").arg(by));
     }
 }
 

@@ -18,12 +18,13 @@ namespace halbench::app {
 
 class DevicePanel;
 class DockLayout;
+class LinkPanel;
 class NotesPanel;
 class ProjectMenu;
 class ProjectWork;
 class RecordingTidying;
 class TopBar;
-class UnkeptBar;
+class UnsavedBar;
 
 /// The workstation: top bar, docked panels, menus. Everything it does goes through the workbench.
 class MainWindow : public QMainWindow {
@@ -76,6 +77,10 @@ private:
     void fillViewMenu();
     void createLanguageMenu(QMenu& menu);
     void fillHelpMenu();
+    template <typename Dialog>
+    void openDialog(Dialog* dialog);
+    void showShortcuts();
+    void connectDrops();
     void chooseTheme(ThemeChoice choice);
     void chooseLanguage(const QString& id);
     void askPreferences();
@@ -85,6 +90,10 @@ private:
     void openHelp(const QString& address);
     void noteStop(const QString& by);
     void keepLastDevice();
+    void createPanelKeys();
+    void showPlotsOnly(bool isOnly);
+    void followDevice();
+    void followOffer();
     void leaveConnection();
     void onPerspective();
     void onMessage(widgets::Severity severity, const QString& text, const QString& hint);
@@ -119,11 +128,12 @@ private:
     bool m_isNotKept = false;                 ///< the message says so
     bool m_isProjectRefused = false;          ///< the message says so
     bool m_isLossAccepted = false;
-    UnkeptBar* m_unkept = nullptr; ///< why the project was not left
+    UnsavedBar* m_unkept = nullptr; ///< why the project was not left
     ProjectMenu* m_projects = nullptr;
     ProjectWork* m_work = nullptr;
     RecordingTidying* m_tidying = nullptr;
     TopBar* m_bar = nullptr;
+    LinkPanel* m_link = nullptr;
     QMenu* m_fileMenu = nullptr;
     QMenu* m_editMenu = nullptr;
     QMenu* m_viewMenu = nullptr;

@@ -40,8 +40,8 @@ void MainWindow::leaveThenClose() {
         return;
     }
     onMessage(widgets::Severity::Information,
-              tr("The program ends as soon as what runs has ended and the actuator is disarmed."),
-              tr("STOP and Esc work until then."));
+              tr("The program closes after the running task is stopped and the actuator disarmed."),
+              tr("STOP and Esc remain active until then."));
     DeviceSession& session = m_bench.session();
     const auto closeNow = [this] {
         if (std::exchange(m_isClosing, false)) {
@@ -80,8 +80,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         sayNotKept(kept.error());
         m_refusal->showMessage(
-            {widgets::Severity::Warning, tr("The window stays open, so that what was not saved is not lost."),
-             tr("Save the project elsewhere, or close the window without it."), tr("Close anyway")});
+            {widgets::Severity::Warning, tr("The window stays open because of unsaved work."),
+             tr("Save the project to another place, or close without saving."), tr("Close anyway")});
         return;
     }
     m_preferences.geometry = saveGeometry();

@@ -3,18 +3,23 @@
 #include "app/window/docks/dock_menu.h"
 #include "app/window/docks/panels.h"
 #include "app/window/file_dialogs.h"
+#include "app/window/help/about_dialog.h"
+#include "app/window/help/shortcut_list.h"
 #include "app/window/main_window.h"
 #include "app/window/preferences/language.h"
 #include "app/window/preferences/preferences_dialog.h"
 #include "app/window/preferences/recording_tidying.h"
 #include "app/window/project/project_menu.h"
-#include "app/window/project/unkept_bar.h"
+#include "app/window/project/unsaved_bar.h"
+#include "app/window/top_bar.h"
+#include "app/workspaces/device/link_panel.h"
 #include "app/workspaces/recordings/recordings_panel.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "devices/history/page_file.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/theme/theme_style.h"
 
+#include <QAbstractButton>
 #include <QActionGroup>
 #include <QApplication>
 #include <QDir>
@@ -61,7 +66,7 @@ void MainWindow::fillFileMenu() {
     createProjects();
     m_projects->addTo(*m_fileMenu);
     m_fileMenu->addSeparator();
-    QAction* import = m_fileMenu->addAction(tr("Import a &table…"), this, [this] {
+    QAction* import = m_fileMenu->addAction(tr("Import da&ta (CSV)…"), this, [this] {
         m_docks->setPerspective(Perspective::Record);
         static_cast<RecordingsPanel*>(m_docks->panel("recordings"))->importTable();
     });
@@ -90,14 +95,14 @@ void MainWindow::createProjects() {
     });
     connect(m_projects, &ProjectMenu::collecting, this, &MainWindow::collectProject);
     connect(m_projects, &ProjectMenu::locked, this, &MainWindow::offerCopy);
-    connect(m_projects, &ProjectMenu::unkept, m_unkept, &UnkeptBar::showError);
+    connect(m_projects, &ProjectMenu::unkept, m_unkept, &UnsavedBar::showError);
     for (auto signal : {&ProjectMenu::opened, &ProjectMenu::saved}) {
         connect(m_projects, signal, m_unkept, &QWidget::hide);
     }
-    connect(m_unkept, &UnkeptBar::tryAgainRequested, m_projects, &ProjectMenu::tryAgain);
-    connect(m_unkept, &UnkeptBar::saveAsRequested, m_projects, &ProjectMenu::saveAs);
-    connect(m_unkept, &UnkeptBar::discardRequested, m_projects, &ProjectMenu::discard);
-    connect(m_unkept, &UnkeptBar::stayRequested, m_projects, &ProjectMenu::stay);
+    connect(m_unkept, &UnsavedBar::tryAgainRequested, m_projects, &ProjectMenu::tryAgain);
+    connect(m_unkept, &UnsavedBar::saveAsRequested, m_projects, &ProjectMenu::saveAs);
+    connect(m_unkept, &UnsavedBar::discardRequested, m_projects, &ProjectMenu::discard);
+    connect(m_unkept, &UnsavedBar::stayRequested, m_projects, &ProjectMenu::stay);
     connect(m_projects, &ProjectMenu::saved, this, [this] {
         m_bench.session().message(MessageLevel::Info, tr("project"),
                                   tr("saved: %1").arg(QString::fromStdString(m_project->path())));
@@ -116,11 +121,26 @@ void MainWindow::fillEditMenu() {
 
 void MainWindow::fillViewMenu() {
     for (const PanelSpec& panel : panelSpecs()) { // the docks themselves have another order at each start
-        m_viewMenu->addAction(m_docks->docks().value(panel.id)->toggleViewAction());
+        QAction* action =
+            m_viewMenu->addAction(panel.title, this, [this, id = panel.id] { m_docks->raise(id); });
+        connect(m_docks, &DockLayout::offerChanged, action,
+                [this, action, id = panel.id] { action->setVisible(m_docks->isOffered(id)); });
     }
     m_viewMenu->addSeparator();
+    QAction* plotsOnly = m_viewMenu->addAction(tr("&Plots and STOP only"));
+    plotsOnly->setCheckable(true);
+    plotsOnly->setShortcut(QKeySequence(QStringLiteral("F11")));
+    addAction(plotsOnly); // its key works while the menus are hidden
+    connect(plotsOnly, &QAction::triggered, this, &MainWindow::showPlotsOnly);
+    connect(m_docks, &DockLayout::mainOnlyChanged, this, [this, plotsOnly] {
+        const bool isOnly = m_docks->isMainOnly();
+        plotsOnly->setChecked(isOnly);
+        menuBar()->setVisible(!isOnly);
+        m_link->setVisible(!isOnly);
+        m_bar->setStateOnly(isOnly);
+    });
     m_viewMenu->addMenu(new DockMenu(*m_docks, m_viewMenu));
-    m_viewMenu->addAction(tr("&Reset the arrangement"), m_docks, &DockLayout::reset);
+    m_viewMenu->addAction(tr("&Reset layout"), m_docks, &DockLayout::reset);
     m_viewMenu->addSeparator();
     QMenu* themes = m_viewMenu->addMenu(tr("&Theme"));
     m_themes = new QActionGroup(this);
@@ -156,6 +176,42 @@ void MainWindow::fillHelpMenu() {
     m_helpMenu->addAction(tr("&First steps"), this, [this] { openHelp("index.md"); });
     QAction* onPanel = m_helpMenu->addAction(tr("&Help on this panel"), this, &MainWindow::showHelp);
     onPanel->setShortcut(QKeySequence::HelpContents);
+    QAction* keys = m_helpMenu->addAction(tr("&Keyboard shortcuts"), this, &MainWindow::showShortcuts);
+    keys->setShortcut(QKeySequence(QStringLiteral("Ctrl+F1")));
+    m_helpMenu->addSeparator();
+    m_helpMenu->addAction(tr("&About Halbench"), this, [this] { openDialog(new AboutDialog(this)); });
+}
+
+/// The dialog does not hold up the window; it goes when it is closed.
+template <typename Dialog>
+void MainWindow::openDialog(Dialog* dialog) {
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &Dialog::stopRequested, &m_bench.session(), &DeviceSession::stopActuator);
+    connect(dialog, &Dialog::stopRequested, this, [this] { noteStop(tr("by STOP of a dialog")); });
+    dialog->show();
+}
+
+/// Of the window, then of each panel in the order of the View menu.
+void MainWindow::showShortcuts() {
+    QList<QAction*> own = actions() + m_bar->findChildren<QAction*>();
+    for (const QMenu* menu : {m_fileMenu, m_editMenu, m_viewMenu, m_helpMenu}) {
+        own << menu->actions();
+    }
+    std::vector<ShortcutRow> rows{{tr("Esc"), tr("Stop the actuator"), tr("Window")}};
+    const auto add = [&rows](const std::vector<ShortcutRow>& more) {
+        rows.insert(rows.end(), more.begin(), more.end());
+    };
+    add(shortcutRows(own, tr("Window")));
+    add(shortcutRows(m_bar->findChildren<QAbstractButton*>(), tr("Window")));
+    for (const PanelSpec& panel : panelSpecs()) {
+        if (const QWidget* widget = m_docks->panel(panel.id)) {
+            QString title = panel.title;
+            title.remove(QLatin1Char('&'));
+            add(shortcutRows(widget->findChildren<QAction*>(), title));
+            add(shortcutRows(widget->findChildren<QAbstractButton*>(), title));
+        }
+    }
+    openDialog(new ShortcutList(rows, this));
 }
 
 void MainWindow::chooseTheme(ThemeChoice choice) {
@@ -189,10 +245,9 @@ void MainWindow::useRecordingPreferences() {
 /// The preferences show what would go; their OK is the word it needs.
 void MainWindow::sayWithheld(const QString& folder, int count) {
     const QString text =
-        tr("%n recording(s) of %1 are beyond the limits of the preferences and stay for now.", nullptr, count)
+        tr("%n recording(s) of %1 exceed the limits in the preferences and are kept for now.", nullptr, count)
             .arg(QDir::toNativeSeparators(folder));
-    const QString remedy =
-        tr("Nobody has seen yet what goes from this folder. The preferences show it; nothing goes before.");
+    const QString remedy = tr("Deletion starts only after you have checked the list in Preferences.");
     m_bench.session().message(MessageLevel::Warning, tr("recordings"), text);
     if (folder == m_bench.recording().folder()) { // what the preferences look at
         say({widgets::Severity::Warning, text, remedy, tr("Preferences…")}, [this] {

@@ -26,15 +26,15 @@ std::optional<widgets::Message> whatIsUnread(const QStringList& lost,
     QStringList texts;
     QStringList remedies;
     if (!lost.isEmpty()) {
-        texts << MainWindow::tr("Not everything of the project could be read: %1").arg(lost.join("; "));
-        remedies << MainWindow::tr("It stays in the file as it is; the rest is open.");
+        texts << MainWindow::tr("Parts of the project could not be read: %1").arg(lost.join("; "));
+        remedies << MainWindow::tr("They stay in the file unchanged; the rest is open.");
     }
     if (!resets.empty()) {
         QStringList words;
         for (const std::string& reset : resets) {
             words << widgets::inWords(reset);
         }
-        texts << MainWindow::tr("Plots are shown as usual where the project says what cannot be: %1")
+        texts << MainWindow::tr("Default plots are shown where the project is not valid: %1")
                      .arg(words.join("; "));
         remedies << MainWindow::tr("The file keeps these lines until the project is saved.");
     }
@@ -49,8 +49,7 @@ std::optional<widgets::Message> whatIsUnread(const QStringList& lost,
 
 void MainWindow::offerCopy(const QString& path) {
     say({widgets::Severity::Warning, tr("%1 is open in another window.").arg(QFileInfo(path).fileName()),
-         tr("Close it there, or open a copy as a new project; the file itself stays with the other window."),
-         tr("Open a copy")},
+         tr("Close it there, or open a copy as a new project."), tr("Open a copy")},
         [this, path] { m_projects->openCopy(path); });
 }
 
@@ -78,7 +77,7 @@ void MainWindow::recoverUnnamed() {
     furnish();
     if (const auto aside = m_project->setAsideDamaged({})) {
         onMessage(widgets::Severity::Warning,
-                  tr("The autosave of the project could not be read; it was kept as %1.")
+                  tr("The project's autosave could not be read; it was moved to %1.")
                       .arg(QString::fromStdString(*aside)),
                   {});
     }
@@ -87,9 +86,8 @@ void MainWindow::recoverUnnamed() {
         left && !isSameWork(*left, m_project->project())) {
         m_project->recover({}, *left);
         takeOverProject();
-        onMessage(widgets::Severity::Information,
-                  tr("The project of the last session, which has no name yet, is open again."),
-                  tr("Save it under a name to keep it."));
+        onMessage(widgets::Severity::Information, tr("Restored your unsaved project."),
+                  tr("Save it with a name to keep it."));
     }
     offerInterrupted();
 }
@@ -103,7 +101,7 @@ void MainWindow::offerInterrupted() {
     if (left != recent.end()) {
         say({widgets::Severity::Information,
              tr("%1 has unsaved work of an earlier session.").arg(QFileInfo(*left).fileName()),
-             tr("Opening the project takes it up again."), tr("Open the project")},
+             tr("Open the project to restore it."), tr("Open the project")},
             [this, path = *left] { m_projects->open(path); });
     }
 }
@@ -175,8 +173,8 @@ void MainWindow::takeOverProject() {
         onMessage(unread->severity, unread->text, unread->remedy);
     } else if (m_work->isRecordingOwed()) {
         onMessage(widgets::Severity::Information,
-                  tr("What the project says of recordings holds from the next one on."),
-                  tr("The present one ends as it was begun; saving the project loses nothing of it."));
+                  tr("The project's recording settings apply from the next recording on."),
+                  tr("The running recording keeps its settings."));
     }
     if (m_project->path().empty() && !m_project->isChanged()) {
         m_project->beginWith(shownProject());

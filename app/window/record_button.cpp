@@ -2,6 +2,7 @@
 
 #include "app/workbench/recording_control.h"
 #include "widgets/controls/progress_row.h"
+#include "widgets/language/display_units.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme_style.h"
 
@@ -13,7 +14,14 @@ namespace halbench::app {
 
 namespace {
 
+constexpr int RateDigits = 4;
 constexpr double LongTime_s = 3599.0; ///< as wide as a time usually is
+
+/// "100 Hz", "1 kHz"
+QString rateText(double rate_Hz) {
+    return rate_Hz < 1000.0 ? QStringLiteral("%1 Hz").arg(widgets::numberText(rate_Hz, RateDigits))
+                            : QStringLiteral("%1 kHz").arg(widgets::numberText(1e-3 * rate_Hz, RateDigits));
+}
 
 } // namespace
 
@@ -34,8 +42,7 @@ RecordButton::RecordButton(Workbench& bench, QWidget* parent) : QToolButton(pare
                 session.message(MessageLevel::Error, tr("recording"), text + QLatin1Char(' ') + remedy);
             });
     connect(&recording, &RecordingControl::rowsDropped, this, [&session] {
-        session.message(MessageLevel::Error, tr("recording"),
-                        tr("The disk does not keep up: rows are missing."));
+        session.message(MessageLevel::Error, tr("recording"), tr("Disk too slow: samples are lost."));
     });
     connect(&recording, &RecordingControl::finished, this, [&session](const QString& path) {
         session.message(MessageLevel::Info, tr("recording"), tr("written: %1").arg(path));
@@ -59,16 +66,18 @@ void RecordButton::refresh() {
     setChecked(isRecording || isWaiting);
     setEnabled(isRecording || m_bench.session().state() == SessionState::Connected);
     const QString time = isRecording ? widgets::durationText(recording.status().elapsed_s) : QString();
-    const QString words = isRecording ? time : isWaiting && !m_isShort ? tr("Waiting") : idleWords(m_isShort);
+    const QString words = isRecording               ? runningWords(time, m_isShort)
+                          : isWaiting && !m_isShort ? tr("Waiting")
+                                                    : idleWords(m_isShort);
     const QString name = isRecording ? tr("Recording %1").arg(time)
-                         : isWaiting ? tr("Waiting for the event to record")
+                         : isWaiting ? tr("Waiting for the trigger")
                                      : tr("Record data");
     if (words != text() || name != accessibleName()) {
         setText(words);
         setAccessibleName(name);
-        setToolTip(isRecording ? tr("Recording to a file; a click ends it (Ctrl+R)")
-                   : isWaiting ? tr("Waiting for the trigger's event; a click ends the wait (Ctrl+R)")
-                               : tr("Record data: write what is measured to a file (Ctrl+R)"));
+        setToolTip(isRecording ? tr("Recording to a file; click to stop (Ctrl+R)")
+                   : isWaiting ? tr("Waiting for the trigger; click to cancel (Ctrl+R)")
+                               : tr("Record the measured signals to a file (Ctrl+R)"));
         setShortcut(QKeySequence(QStringLiteral("Ctrl+R"))); // a new text forgets it
     }
 }
@@ -79,8 +88,14 @@ void RecordButton::setShort(bool isShort) {
     updateGeometry();
 }
 
-int RecordButton::time_px() const {
-    return fontMetrics().horizontalAdvance(widgets::durationText(LongTime_s));
+int RecordButton::time_px(bool isShort) const {
+    return fontMetrics().horizontalAdvance(runningWords(widgets::durationText(LongTime_s), isShort));
+}
+
+/// With the rate, which decides what the file can show.
+QString RecordButton::runningWords(const QString& time, bool isShort) const {
+    const double rate_Hz = m_bench.recording().usedRate_Hz();
+    return isShort || rate_Hz <= 0.0 ? time : time + QLatin1Char(' ') + rateText(rate_Hz);
 }
 
 /// The room for the time is there anyway: a short word costs nothing.
@@ -89,7 +104,7 @@ QString RecordButton::idleWords(bool isShort) {
 }
 
 int RecordButton::room_px(bool isShort) const {
-    return std::max(fontMetrics().horizontalAdvance(idleWords(isShort)), time_px());
+    return std::max(fontMetrics().horizontalAdvance(idleWords(isShort)), time_px(isShort));
 }
 
 int RecordButton::saved_px() const {

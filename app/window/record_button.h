@@ -25,7 +25,8 @@ protected:
 private:
     void toggle(bool isWanted);
     void refresh();
-    int time_px() const;
+    int time_px(bool isShort) const;
+    QString runningWords(const QString& time, bool isShort) const;
     int room_px(bool isShort) const;
     static QString idleWords(bool isShort);
 

@@ -2,11 +2,11 @@
 
 #include "app/window/docks/perspective_bar.h"
 #include "app/window/record_button.h"
-#include "app/workbench/drive_words.h"
-#include "app/workbench/fault_words.h"
+#include "app/workbench/drive_text.h"
+#include "app/workbench/fault_text.h"
 #include "app/workspaces/drive/arm_button.h"
 #include "app/workspaces/drive/mode_box.h"
-#include "app/workspaces/parts/focus_rest.h"
+#include "app/workspaces/parts/focus_keeper.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "widgets/controls/status_strip.h"
 #include "widgets/controls/stop_button.h"
@@ -14,6 +14,7 @@
 #include "widgets/theme/theme_style.h"
 
 #include <QEvent>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QShortcut>
@@ -24,6 +25,19 @@ namespace {
 
 /// So much more must be free before a control takes its words back.
 constexpr int GrowthCharacters = 4;
+
+/// A recording by its file's name, a device by its address.
+void showSource(widgets::StatusStrip& strip, Workbench& bench) {
+    const devices::DeviceInfo& info = bench.session().info();
+    if (info.transport == "replay") {
+        const QString file = QString::fromStdString(info.uri).section(QLatin1Char(':'), 1);
+        strip.setDevice(QFileInfo(file.section(QLatin1Char('?'), 0, 0)).fileName(),
+                        widgets::SourceKind::Recording);
+    } else {
+        strip.setDevice(QString::fromStdString(info.uri),
+                        info.isSimulated ? widgets::SourceKind::Simulation : widgets::SourceKind::Device);
+    }
+}
 
 } // namespace
 
@@ -51,12 +65,10 @@ void TopBar::buildControls() {
     m_mode = new ModeBox(m_bench.drive(), QStringLiteral("Ctrl+M"), this);
     m_record = new RecordButton(m_bench, this);
     m_perspectives = new PerspectiveBar(this);
-    m_release =
-        makeButton({tr("Release"),
-                    tr("Takes the latched stop back and arms nothing; right after a stop it is locked "
-                       "(Space)"),
-                    {}},
-                   this);
+    m_release = makeButton({tr("Release"),
+                            tr("Release the latched stop; does not arm. Locked shortly after a stop (Space)"),
+                            {}},
+                           this);
     connect(m_release, &QPushButton::clicked, this, &TopBar::release);
     m_stop = new widgets::StopButton(widgets::StopButton::Variant::Full, this);
     auto* chooseMode = new QShortcut(QKeySequence(QStringLiteral("Ctrl+M")), this);
@@ -80,6 +92,25 @@ void TopBar::setPerspective(Perspective perspective) {
     m_perspectives->setPerspective(perspective);
 }
 
+void TopBar::setOffered(bool isDriven, bool isRecorded) {
+    m_isDriven = isDriven;
+    m_isRecorded = isRecorded;
+    showControls();
+}
+
+void TopBar::setStateOnly(bool isStateOnly) {
+    m_isStateOnly = isStateOnly;
+    showControls();
+}
+
+void TopBar::showControls() {
+    m_connection->setVisible(!m_isStateOnly);
+    m_arm->setVisible(m_isDriven && !m_isStateOnly);
+    m_mode->setVisible(m_isDriven && !m_isStateOnly && m_room != Room::Least);
+    m_record->setVisible(m_isRecorded && !m_isStateOnly);
+    m_perspectives->setVisible(!m_isStateOnly);
+}
+
 /// Against the widest form.
 int TopBar::saved_px(Room room) const {
     if (room == Room::Wide) {
@@ -87,7 +118,7 @@ int TopBar::saved_px(Room room) const {
     }
     return m_connection->saved_px() + m_record->saved_px() +
            (room >= Room::Narrow ? m_perspectives->saved_px() : 0) +
-           (room == Room::Least ? m_mode->minimumSizeHint().width() + layout()->spacing() : 0);
+           (room == Room::Least && m_isDriven ? m_mode->minimumSizeHint().width() + layout()->spacing() : 0);
 }
 
 int TopBar::needed_px(Room room) const {
@@ -114,7 +145,7 @@ void TopBar::fit() {
                                                         : Qt::ToolButtonIconOnly);
     m_record->setShort(room != Room::Wide);
     m_perspectives->setCollapsed(room >= Room::Narrow);
-    m_mode->setVisible(room != Room::Least);
+    m_mode->setVisible(room != Room::Least && m_isDriven && !m_isStateOnly);
     // The layouts still know the sizes before the change, and the form would go back. Only here: what
     // invalidates a layout asks for another look at the form, and that without end.
     m_perspectives->layout()->invalidate();
@@ -150,14 +181,14 @@ void TopBar::refresh() {
     const QString fault = widgets::inWords(board.faultText);
     const QString reason = board.fault != 0                   ? fault
                            : m_bench.stopLatch().hasStopped() ? stopReason(board, m_bench.stopAsker())
-                                                              : tr("nothing was armed");
+                                                              : tr("device was disarmed");
     const bool isConnected = session.state() == SessionState::Connected;
     const StopLatch& latch = m_bench.stopLatch();
     m_stop->setLatched(latch.isLatched(), reason);
-    FocusRest(*this).setEnabled(*m_release, latch.isLatched() && !latch.isLocked());
+    FocusKeeper(*this).setEnabled(*m_release, latch.isLatched() && !latch.isLocked());
     m_strip->setControlShown(latch.isLatched());
     if (isConnected || session.state() == SessionState::Reconnecting) {
-        m_strip->setDevice(QString::fromStdString(session.info().uri), session.info().isSimulated);
+        showSource(*m_strip, m_bench);
     } else {
         m_strip->clearDevice();
     }

@@ -29,6 +29,11 @@ public:
     explicit TopBar(Workbench& bench, QWidget* parent = nullptr);
 
     void setPerspective(Perspective perspective);
+    PerspectiveBar& perspectives() { return *m_perspectives; }
+    /// A device that only senses has neither Arm nor mode, a recording that is replayed is not recorded.
+    void setOffered(bool isDriven, bool isRecorded);
+    /// Shows the state and STOP, nothing else.
+    void setStateOnly(bool isStateOnly);
     ConnectButton& connection() { return *m_connection; }
 
     QSize minimumSizeHint() const override;
@@ -52,9 +57,13 @@ private:
     int saved_px(Room room) const;
     int needed_px(Room room) const;
     void fit();
+    void showControls();
 
     Workbench& m_bench;
     Room m_room = Room::Wide;
+    bool m_isDriven = true;
+    bool m_isRecorded = true;
+    bool m_isStateOnly = false;
     ConnectButton* m_connection = nullptr;
     widgets::StatusStrip* m_strip = nullptr;
     ArmButton* m_arm = nullptr;

@@ -1,14 +1,18 @@
 #include "app/wizards/calibrate_panel.h"
 
+#include "app/actuators/actuator.h"
+#include "app/actuators/motion_needs.h"
 #include "app/documents/result_documents.h"
 #include "app/figures/calibration_figures.h"
 #include "app/tuning/loop_conditions.h"
-#include "app/wizards/calibrate_words.h"
-#include "app/wizards/identify_words.h"
+#include "app/wizards/calibrate_text.h"
+#include "app/wizards/identify_text.h"
+#include "app/wizards/live_motion.h"
 #include "app/wizards/note_label.h"
 #include "app/wizards/words_and_pictures.h"
 #include "app/workbench/document_files.h"
 #include "app/workspaces/parts/preflight.h"
+#include "widgets/actuators/spherical/sphere_view.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/progress_row.h"
 #include "widgets/controls/step_list.h"
@@ -46,11 +50,15 @@ CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPa
     connect(&bench().session(), &DeviceSession::reportChanged, this, &CalibratePanel::refreshPlan);
     connect(&bench().session(), &DeviceSession::procedureChanged, this, &CalibratePanel::refreshPlan);
     connect(&bench().session(), &DeviceSession::procedureStage, this, &CalibratePanel::onStage);
-    connect(&bench().session(), &DeviceSession::procedureProgress, this, [this](double, const QString& text) {
-        if (isMine()) {
-            m_progress->setText(widgets::inWords(text));
-        }
-    });
+    connect(&bench().session(), &DeviceSession::procedureProgress, this,
+            [this](double fraction, const QString& text) {
+                if (isMine()) {
+                    m_progress->setText(widgets::inWords(text));
+                    if (hasSeveralAxes()) {
+                        m_progress->setProgress(fraction);
+                    }
+                }
+            });
     connect(&bench(), &Workbench::displayUnitsChanged, this, [this] {
         refreshPlan();
         if (m_result) {
@@ -95,7 +103,12 @@ QWidget* CalibratePanel::buildRun() {
     auto* column = columnOf(page, widgets::GroupSpacing_px);
     m_progress = new widgets::ProgressRow(page);
     m_liveView = new widgets::FigureView(page);
+    m_sphere = new widgets::SphereView(page);
+    m_needs = new QLabel(page);
+    m_needs->setWordWrap(true);
     column->addWidget(m_liveView, 1);
+    column->addWidget(m_sphere, 1);
+    column->addWidget(m_needs);
     connect(m_progress, &widgets::ProgressRow::cancelRequested, this, [this] {
         m_isCancelling = true;
         bench().session().abortProcedure();
@@ -165,36 +178,63 @@ void CalibratePanel::onFileChooser() {
 
 void CalibratePanel::refreshWords() {
     setSteps({tr("Prepare"), tr("Measure"), tr("Propose"), tr("Apply")});
-    m_intro->setText(tr("Finds what the angle sensors and the coils do to the measured angle, and how much "
-                        "current the rotor needs to start."));
+    const bool isByHand = isMovedByHand();
+    m_intro->setText(isByHand ? tr("Finds gains, offsets, frames and places of the field sensors, and the "
+                                   "field of the rotor, from a motion that you make.")
+                     : hasSeveralAxes()
+                         ? tr("Measures the errors of the field sensors and the field of the coils in them.")
+                         : tr("Measures the errors of the angle sensors, the stray field of the coils "
+                              "and the breakaway current."));
     const std::pair<QString, QString> choices[] = {
         {tr("Ha&ll sensors"),
-         tr("Two offsets, gain, right angle and amplitude from the ellipse of the readings")},
-        {tr("&Stray field of the coils"), tr("Without it the recommended gains are unstable")},
-        {tr("Static fr&iction"), tr("A figure only: it changes no parameter")}};
+         isByHand ? tr("Gains, offsets, skews, frames and places of three sensors from a minute of motion")
+         : hasSeveralAxes() ? tr("Amplitude, gains, cross-axis shares, offsets and places of every chip")
+                            : tr("Offsets, gain ratio, orthogonality error and amplitude from the ellipse")},
+        {tr("&Stray field of the coils"),
+         isByHand           ? tr("Field per ampere in every channel; the current of the coil has to change")
+         : hasSeveralAxes() ? tr("Field per ampere of every coil in every chip")
+                            : tr("Without it the recommended gains are unstable")},
+        {tr("Static fr&iction"), tr("For information: changes no parameter")}};
+    m_choices.back()->setVisible(!isByHand); // nothing drives the rotor
     for (std::size_t i = 0; i < m_choices.size(); ++i) {
         m_choices[i]->setText(choices[i].first);
         m_choices[i]->setToolTip(choices[i].second);
         m_choices[i]->setAccessibleDescription(choices[i].second);
     }
-    sayButton(*m_start, tr("Start calibration"), tr("The rotor moves (Ctrl+Return); Esc stops it"));
-    sayButton(*m_apply, tr("Apply"), tr("Write the proposed values in one transaction and read them back"));
+    sayButton(*m_start, tr("Start calibration"),
+              isByHand           ? tr("Records a minute (Ctrl+Return) while you move the rotor; Esc stops it")
+              : hasSeveralAxes() ? tr("The actuator moves (Ctrl+Return); Esc stops it")
+                                 : tr("The rotor moves (Ctrl+Return); Esc stops it"));
+    sayButton(*m_apply, tr("Apply"), tr("Write all proposed values together, then read them back"));
     sayButton(*m_restore, tr("Restore"), tr("Write the values from before the calibration"));
     sayButton(*m_save, tr("Save calibration\u2026"), tr("Write the result as a file"));
-    sayButton(*m_again, tr("Calibrate again"), tr("Back to the choice"));
-    m_liveView->setToolTip(
-        tr("What the Hall sensors read; centre, axes and tilt of the ellipse are measured"));
+    sayButton(*m_again, tr("Calibrate again"), tr("Back to the settings"));
+    m_liveView->setToolTip(tr("Hall sensor readings; centre, axes and tilt of the ellipse are measured"));
     refreshPlan();
     if (m_result) {
         showResult();
     }
 }
 
+const Actuator& CalibratePanel::actuator() const {
+    return actuatorOf(bench().session().info().model);
+}
+
+bool CalibratePanel::hasSeveralAxes() const {
+    return bench().session().catalogue().axes.size() > 1;
+}
+
+bool CalibratePanel::isPossible(Calibration which) const {
+    CalibrateConfig alone;
+    alone.which = {which};
+    return static_cast<bool>(actuator().calibrate.check(bench().session().catalogue(), alone));
+}
+
 CalibrateConfig CalibratePanel::config() const {
     CalibrateConfig config;
     config.which.clear();
     for (std::size_t i = 0; i < m_choices.size(); ++i) {
-        if (m_choices[i]->isChecked()) {
+        if (m_choices[i]->isChecked() && isPossible(Choices[i])) {
             config.which.push_back(Choices[i]);
         }
     }
@@ -203,7 +243,14 @@ CalibrateConfig CalibratePanel::config() const {
 }
 
 void CalibratePanel::refreshPlan() {
-    m_outlook->setText(calibrationOutlook(config(), bench().displayUnits()));
+    for (std::size_t i = 0; i < m_choices.size(); ++i) {
+        m_choices[i]->setVisible(isPossible(Choices[i]));
+    }
+    constexpr double Usual_degC = 25.0;
+    m_outlook->setText(isMovedByHand() ? handMotionOutlook(config())
+                       : hasSeveralAxes() && !config().which.empty()
+                           ? axesCalibrationOutlook(actuator().calibrate.predict(config(), Usual_degC))
+                           : calibrationOutlook(config(), bench().displayUnits()));
     m_start->setEnabled(!config().which.empty() && m_preflight->isPassed());
     const DeviceSession& session = bench().session();
     // Armed by hand, the angle that holds the rotor would jump with its calibration.
@@ -215,12 +262,16 @@ void CalibratePanel::refreshPlan() {
     m_restore->setEnabled(isFree && isUsable && m_result->isApplied);
     // Applied or not: the loop is judged by how far the coefficient in use is from the interval's far end.
     const bool isKnown = isUsable && session.state() == SessionState::Connected && isOfThisDevice();
-    bench().setStrayInterval95_T_per_A(isKnown ? strayInterval(*m_result) : std::nullopt);
+    bench().setStrayInterval95_T_per_A(isKnown ? strayInterval(*m_result) : std::nullopt,
+                                       isKnown ? calibrationDoubts(*m_result) : std::vector<Finding>());
 }
 
 void CalibratePanel::onDevice() {
     const bool isConnected = bench().session().state() == SessionState::Connected;
     m_connection += isConnected ? 1 : 0;
+    if (isConnected) {
+        refreshWords();
+    }
     if (m_result && isConnected) {
         m_result->isApplied = false; // the board starts with the values that it keeps
         endStep(ApplyStep, widgets::StepState::Waiting);
@@ -235,14 +286,25 @@ void CalibratePanel::onDevice() {
     refreshPlan();
 }
 
+bool CalibratePanel::isMovedByHand() const {
+    return motionNeedsOf(bench().session().info().model) != nullptr;
+}
+
 void CalibratePanel::start() {
     m_live = std::make_shared<LiveHall>();
+    m_motion = isMovedByHand() ? std::make_shared<LiveMotion>() : nullptr;
+    m_judgedRows = 0;
     const bool hasStarted = runProcedure(
         tr("Calibrate"),
-        [config = config(), live = m_live](devices::Device& device, const ProcedureObserver& session) {
-            const ProcedureObserver observer =
-                listeningIn(session, [live](const SampleBlock& block) { live->take(block); });
-            return runCalibrate(device, config, observer);
+        [config = config(), live = m_live, motion = m_motion,
+         run = actuator().calibrate.run](devices::Device& device, const ProcedureObserver& session) {
+            const ProcedureObserver observer = listeningIn(session, [live, motion](const SampleBlock& block) {
+                live->take(block);
+                if (motion) {
+                    motion->take(block);
+                }
+            });
+            return run(device, config, observer);
         },
         [this, connection = m_connection, header = headerOf("halbench.calibration/1", config().seed)](
             const Result<CalibrateResult>& result) { finish(result, header, connection); });
@@ -251,7 +313,15 @@ void CalibratePanel::start() {
     }
     m_progress->setText(tr("Calibrating"));
     m_progress->setProgress(0.0);
-    m_predicted_s = predictCalibrate(config()).duration_s;
+    constexpr double Usual_degC = 25.0;
+    // A device with several axes tells its own progress.
+    m_predicted_s = hasSeveralAxes() ? 0.0 : actuator().calibrate.predict(config(), Usual_degC).duration_s;
+    m_liveView->setVisible(m_motion == nullptr && !hasSeveralAxes());
+    m_sphere->setVisible(m_motion != nullptr);
+    m_needs->setVisible(m_motion != nullptr);
+    m_sphere->clear();
+    m_sphere->setWanted({});
+    m_needs->clear();
     m_largest_T = ExpectedField_T;
     m_isCancelling = false;
     m_liveView->setFigure(liveHallFigure({}, m_largest_T));
@@ -269,6 +339,9 @@ void CalibratePanel::showLive() {
         m_largest_T = field_T > m_largest_T ? Room_ratio * field_T : m_largest_T;
     }
     m_liveView->setFigure(liveHallFigure(points, m_largest_T));
+    if (m_motion) {
+        showLiveMotion();
+    }
     if (!m_isCancelling && m_predicted_s > 0.0) {
         // The plan is that of the published motor; another one may take longer.
         const double done = std::min(0.99, m_live->elapsed_s() / m_predicted_s);
@@ -278,8 +351,30 @@ void CalibratePanel::showLive() {
     }
 }
 
+void CalibratePanel::showLiveMotion() {
+    constexpr std::size_t JudgedEvery = 10; // a second of rows
+    if (const std::optional<Eigen::Matrix3d> rotation = m_motion->orientation()) {
+        m_sphere->setOrientation(*rotation, 0.0, widgets::SphereVerdict::Fresh);
+    }
+    const Recording rows = m_motion->rows();
+    if (rows.rows() < m_judgedRows + JudgedEvery) {
+        return;
+    }
+    m_judgedRows = rows.rows();
+    const MotionNeeds needs = motionNeedsOf(bench().session().info().model)(rows, bench().deviceValues());
+    std::vector<widgets::SphereWanted> wanted;
+    for (const ShaftNeed& need : needs.shafts) {
+        const double s = std::sin(need.theta_rad);
+        wanted.push_back(
+            {{s * std::cos(need.phi_rad), s * std::sin(need.phi_rad), std::cos(need.theta_rad)}, need.share});
+    }
+    m_sphere->setWanted(std::move(wanted));
+    m_needs->setText(handMotionNeeds(needs.isEnough, needs.missing));
+}
+
 void CalibratePanel::onStage(ProcedureState stage) {
-    if (isMine() && stage == ProcedureState::Excite) {
+    const bool isMoving = stage == ProcedureState::Excite || (m_motion && stage == ProcedureState::Record);
+    if (isMine() && isMoving) {
         runStep(ExciteStep);
     } else if (isMine() && stage == ProcedureState::Propose) {
         runStep(ProposeStep);
@@ -290,7 +385,7 @@ void CalibratePanel::finish(const Result<CalibrateResult>& result, const ResultH
                             std::uint64_t connection) {
     m_frame.stop();
     if (!result) {
-        fail(result.error(), tr("The calibration was cancelled; everything is as it was before."));
+        fail(result.error(), tr("Calibration cancelled. Nothing was changed."));
         refreshPlan();
         m_start->setFocus(Qt::OtherFocusReason);
         return;

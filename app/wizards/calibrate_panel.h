@@ -21,12 +21,15 @@ namespace halbench::widgets {
 class EstimateTable;
 class FigureView;
 class ProgressRow;
+class SphereView;
 class VerdictView;
 } // namespace halbench::widgets
 
 namespace halbench::app {
 
+struct Actuator;
 class Preflight;
+class LiveMotion;
 class WordsAndPictures;
 
 /// Calibration of the sensors, the stray field and the static friction: what will happen, what was found
@@ -61,12 +64,18 @@ private:
     QWidget* buildResult();
     QWidget* buildWords();
     QWidget* buildResultButtons();
+    const Actuator& actuator() const;
+    bool isPossible(Calibration which) const; ///< for the device that is connected
+    bool hasSeveralAxes() const;
     CalibrateConfig config() const;
     void refreshPlan();
     void onDevice();
     void onValues();
     void start();
     void showLive();
+    void showLiveMotion();
+    /// The device's calibration records a motion that is made by hand.
+    bool isMovedByHand() const;
     void onStage(ProcedureState stage);
     void finish(const Result<CalibrateResult>& result, const ResultHeader& header, std::uint64_t connection);
     void showResult();
@@ -94,7 +103,11 @@ private:
     QPushButton* m_start = nullptr;
     widgets::ProgressRow* m_progress = nullptr;
     widgets::FigureView* m_liveView = nullptr;
-    std::shared_ptr<LiveHall> m_live; ///< of the run; the procedure's thread fills it
+    std::shared_ptr<LiveHall> m_live;        ///< of the run; the procedure's thread fills it
+    widgets::SphereView* m_sphere = nullptr; ///< instead of the figure for a motion made by hand
+    QLabel* m_needs = nullptr;
+    std::shared_ptr<LiveMotion> m_motion; ///< likewise; nullptr while the device moves itself
+    std::size_t m_judgedRows = 0;
     QTimer m_frame;
     QElapsedTimer m_sinceStart;
     double m_predicted_s = 0.0;

@@ -1,9 +1,10 @@
 #include "app/figures/calibration_figures.h"
 #include "app/wizards/calibrate_panel.h"
-#include "app/wizards/calibrate_words.h"
-#include "app/wizards/identify_words.h"
+#include "app/wizards/calibrate_text.h"
+#include "app/wizards/identify_text.h"
 #include "app/wizards/note_label.h"
 #include "app/wizards/words_and_pictures.h"
+#include "app/workspaces/parts/quality_view.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/step_list.h"
 #include "widgets/controls/verdict_view.h"
@@ -97,11 +98,10 @@ void CalibratePanel::showFigures() {
         friction = staticFrictionFigure(m_result->staticFriction, unit);
     }
     const std::tuple<std::optional<widgets::Figure>, QString, QString> pictures[] = {
-        {hallEllipseFigure(*m_result), tr("Hall ellipse"),
-         tr("What the Hall sensors read, and the ellipse that was fitted to it")},
+        {hallEllipseFigure(*m_result), tr("Hall ellipse"), tr("Hall sensor readings and the fitted ellipse")},
         {hallResidualFigure(*m_result, unit), tr("Residual"),
-         tr("How far the readings lie outside of the ellipse, over the angle")},
-        {friction, tr("Static friction"), tr("Current at the first motion over the angle, both ways")}};
+         tr("Distance of the readings from the ellipse over the angle")},
+        {friction, tr("Static friction"), tr("Breakaway current over the angle, both directions")}};
     bool isAny = false;
     for (int i = 0; i < m_figures->count(); ++i) {
         const auto& [figure, title, help] = pictures[i];
@@ -139,12 +139,12 @@ void CalibratePanel::sayOrigin() {
     const QString origin =
         m_origin == Origin::Project ? projectCalibrationText(m_header) : earlierCalibrationText(m_header);
     const bool isUsable = !m_result->proposed.empty() && m_result->quality.verdict != Verdict::Refused;
-    QString next = tr("It can be applied to the device it was measured on only; calibrate again when the "
-                      "sensors were touched.");
+    QString next =
+        tr("Valid only for the device it was measured on. Calibrate again after any work on the sensors.");
     if (isConnected && isUsable && isOfThisDevice()) {
-        next = isOnDevice() ? tr("The board has these values.")
-                            : tr("The board does not have these values yet: Apply writes them. Calibrate "
-                                 "again when the sensors were touched.");
+        next = isOnDevice() ? tr("These values are on the device.")
+                            : tr("Not on the device yet: press Apply to write the values. Calibrate again "
+                                 "after any work on the sensors.");
     }
     m_saidOfOrigin =
         origin + QLatin1Char(' ') + projectDeviceText(m_header, isConnected ? &session.info() : nullptr);
@@ -165,9 +165,9 @@ void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApp
         self->endStep(ApplyStep, isApplying ? widgets::StepState::Done : widgets::StepState::Waiting);
         const bool isSimulated = self->bench().session().info().isSimulated;
         const QString done =
-            !isApplying   ? tr("The values from before are back.")
-            : isSimulated ? tr("Applied and read back; it stays until the simulated device is disconnected.")
-                          : tr("Applied and read back; it stays until the device is switched off.");
+            !isApplying   ? tr("Previous values restored.")
+            : isSimulated ? tr("Applied and read back. Lost when the simulated device is disconnected.")
+                          : tr("Applied and read back. Lost at power-off.");
         self->bench().session().message(MessageLevel::Info, tr("Calibrate"), done);
         self->messages().showMessage({widgets::Severity::Success, done, {}, {}});
         self->refreshPlan();

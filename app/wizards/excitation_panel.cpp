@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace halbench::app {
 namespace {
@@ -83,9 +84,13 @@ void ExcitationPanel::promise(double meanSquare_A2, double duration_s,
     const auto warmest_degC = [coil, meanSquare_A2, duration_s](double start_degC) {
         return forecastCoil_degC(coil, {start_degC, start_degC}, meanSquare_A2, duration_s);
     };
+    announce(words(warmest_degC(m_preflight->temperature_degC().value_or(AssumedStart_degC))), warmest_degC);
+}
+
+void ExcitationPanel::announce(const QString& words, std::function<double(double start_degC)> warmest_degC) {
     widgets::setRole(*m_outlook, widgets::Role::None);
-    m_outlook->setText(words(warmest_degC(m_preflight->temperature_degC().value_or(AssumedStart_degC))));
-    m_preflight->setForecast(warmest_degC);
+    m_outlook->setText(words);
+    m_preflight->setForecast(std::move(warmest_degC));
     m_start->setEnabled(m_preflight->isPassed());
 }
 

@@ -14,8 +14,8 @@ namespace halbench::app {
 
 class Preflight;
 
-/// What the panels share that turn the rotor steadily and excite it on top of that: a page that says what
-/// will move, one while it runs, one with the result. The experiment itself is the panel's. Thread: GUI.
+/// Pages of the panels that turn the rotor steadily and excite it on top of that: one that says what will
+/// move, one while it runs, one with the result. The experiment itself is the panel's. Thread: GUI.
 class ExcitationPanel : public WizardPanel {
     Q_OBJECT
 protected:
@@ -37,6 +37,8 @@ protected:
     /// What will happen, said with the warmest coil in degC, of a plan of this heat in one phase.
     void promise(double meanSquare_A2, double duration_s,
                  const std::function<QString(double warmest_degC)>& words);
+    /// The same in words, with the warmest coil of a run that starts at a temperature; empty: not known.
+    void announce(const QString& words, std::function<double(double start_degC)> warmest_degC);
     /// Whether what was promised may begin.
     bool isReady() const;
 

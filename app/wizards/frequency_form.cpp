@@ -91,25 +91,22 @@ void FrequencyForm::buildNumbers() {
 }
 
 void FrequencyForm::refreshWords() {
-    const QString excitations[] = {tr("multisine: many frequencies at once"),
-                                   tr("stepped sine: one after the other"),
-                                   tr("chirp: swept again and again")};
+    const QString excitations[] = {tr("multisine: all frequencies together"),
+                                   tr("stepped sine: one frequency at a time"), tr("chirp: repeated sweeps")};
     for (int i = 0; i < m_excitation->count(); ++i) {
         m_excitation->setItemText(i, excitations[i]);
     }
     const QString names[] = {tr("E&xcitation"), tr("Lowest frequency"), tr("Highest frequency"),
-                             tr("&Base speed"), tr("&Periods"),         tr("Least coherence"),
+                             tr("&Base speed"), tr("&Periods"),         tr("Minimum coherence"),
                              tr("Amplitude")};
     const QString helps[] = {
-        tr("What is added to the steady motion"),
-        tr("A period of the excitation lasts as long as four of it"),
-        tr("At most 45 % of the rate of the position loop"),
-        tr("Steady speed below the excitation, at least 3 rad/s in either direction: friction is then a "
-           "plain "
-           "offset"),
-        tr("That are averaged, of a chirp sweeps; the circles of confidence shrink with their root"),
-        tr("Points below it are shown faint and are part of no margin and no fit"),
-        tr("Of a sine of the same rms, in every band. Empty: as large as is safe")};
+        tr("Signal added to the steady motion"),
+        tr("One excitation period lasts four periods of this frequency"),
+        tr("At most 45 % of the position loop's sampling rate"),
+        tr("Steady speed, at least 3 rad/s in either direction, so that friction acts as a constant offset"),
+        tr("Periods (chirp: sweeps) to average; the intervals shrink with the square root"),
+        tr("Points below it are shown faint and not used for margins and fit"),
+        tr("Amplitude of a sine of the same rms in each band. Empty: maximum safe value")};
     for (std::size_t i = 0; i < m_labels.size(); ++i) {
         QWidget* field = m_labels[i]->buddy();
         m_labels[i]->setText(names[i]);
@@ -119,14 +116,14 @@ void FrequencyForm::refreshWords() {
         field->setToolTip(box != nullptr ? helps[i] + QLatin1Char('\n') + box->allowedText() : helps[i]);
     }
     m_amplitude_deg->setExplanation(helps[6]);
-    m_amplitude_deg->setPlaceholderText(tr("as large as is safe"));
+    m_amplitude_deg->setPlaceholderText(tr("maximum safe value"));
 }
 
 Result<FrequencyConfig> FrequencyForm::config() const {
     const auto refuse = [](const QWidget& field, const QString& problem) {
         return failure(ErrorCode::InvalidInput,
                        tr("%1: %2").arg(field.accessibleName(), problem).toStdString(),
-                       tr("Write the number anew").toStdString());
+                       tr("Enter the number again").toStdString());
     };
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
         const QString problem = m_numbers[i]->problem().isEmpty() ? m_refused[i] : m_numbers[i]->problem();

@@ -4,10 +4,11 @@
 #include "app/documents/result_documents.h"
 #include "app/procedures/frequency/frequency_board.h"
 #include "app/tuning/loop_conditions.h"
+#include "app/wizards/axes_frequency_panel.h"
 #include "app/wizards/frequency_form.h"
 #include "app/wizards/frequency_result_view.h"
-#include "app/wizards/frequency_words.h"
-#include "app/wizards/identify_words.h"
+#include "app/wizards/frequency_text.h"
+#include "app/wizards/identify_text.h"
 #include "app/workbench/document_files.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/theme/icons.h"
@@ -26,12 +27,31 @@ FrequencyPanel::FrequencyPanel(Workbench& workbench, QWidget* parent) : Excitati
     const auto takeUnit = [this] { m_result->setFrequencyUnit(bench().displayUnits().frequency); };
     connect(&bench(), &Workbench::displayUnitsChanged, this, takeUnit);
     takeUnit();
+    connect(&bench(), &Workbench::deviceChanged, this, &FrequencyPanel::showAxes);
+    showAxes();
     FrequencyPanel::refreshWords();
 }
 
 void FrequencyPanel::onFileChooser() {
     m_save->setVisible(bool(chooser().save));
     m_table->setVisible(bool(chooser().save));
+    if (m_axes != nullptr) {
+        m_axes->setFileChooser(chooser());
+    }
+}
+
+void FrequencyPanel::showAxes() {
+    const DeviceSession& session = bench().session();
+    if (session.state() != SessionState::Connected) {
+        return;
+    }
+    const bool areSeveral = session.catalogue().axes.size() > 1;
+    if (areSeveral && m_axes == nullptr) {
+        m_axes = new AxesFrequencyPanel(bench(), this);
+        m_axes->setFileChooser(chooser());
+        setAlternative(*m_axes);
+    }
+    showAlternative(areSeveral);
 }
 
 QWidget* FrequencyPanel::buildResult() {
@@ -61,20 +81,18 @@ std::vector<QPushButton*> FrequencyPanel::buildSaving() {
 
 void FrequencyPanel::refreshWords() {
     setSteps({tr("Prepare"), tr("Excite"), tr("Fit"), tr("Result")});
-    intro().setText(
-        tr("Measures the loop with the gains on the board, frequency by frequency: open loop, plant and "
-           "margins with their 95 % intervals, on top of a steady motion that never turns back."));
-    running().setText(
-        tr("The rotor turns steadily and is excited. STOP (Esc) and Cancel end it; mode, windows and "
-           "generator are restored, the gains stay as they are."));
+    intro().setText(tr("Measures the loop with the device's gains over frequency: open loop, plant and "
+                       "margins with 95 % intervals, during a steady motion in one direction."));
+    running().setText(tr("The rotor turns steadily and is excited. STOP (Esc) and Cancel end the run. Mode, "
+                         "windows and generator are restored; the gains are not changed."));
     setComputingWords(tr("Computing the response"));
     sayButton(startButton(), tr("Start measurement"), tr("The rotor turns (Ctrl+Return); Esc stops it"));
     sayButton(useButton(), tr("Use in Tune"),
-              tr("Draw the measured points into the open loop of Tune, with the gains proposed there"));
-    sayButton(*m_save, tr("Save response\u2026"), tr("Write the file that Tune and the program read"));
-    sayButton(*m_table, tr("Save table\u2026"), tr("Write the points with error and coherence as CSV"));
+              tr("Show the measured points in the open loop of Tune, with the proposed gains"));
+    sayButton(*m_save, tr("Save response\u2026"), tr("Save a file for Tune and the command line"));
+    sayButton(*m_table, tr("Save table\u2026"), tr("Save the points with error and coherence as CSV"));
     sayButton(againButton(), tr("Measure again"),
-              tr("Back to the settings; this result stays until the next one"));
+              tr("Back to the settings; this result stays until the next run"));
     refreshPlan();
 }
 
@@ -122,7 +140,7 @@ void FrequencyPanel::start() {
 
 void FrequencyPanel::finish(const ResultHeader& header, const Result<FrequencyResult>& result) {
     if (!result) {
-        showFailure(result.error(), tr("The measurement was cancelled; everything is as it was before."));
+        showFailure(result.error(), tr("Measurement cancelled. Nothing was changed."));
         return;
     }
     bench().session().message(MessageLevel::Info, tr("Frequency response"), verdictTitle(result->quality));

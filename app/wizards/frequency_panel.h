@@ -7,12 +7,14 @@ class QPushButton;
 
 namespace halbench::app {
 
+class AxesFrequencyPanel;
 class FrequencyForm;
 class FrequencyResultView;
 
 /// The frequency response of the loop step by step: what will move, the measurement, the result with its
 /// coherence. It drives the same runFrequency() as the batch program and saves the same file
-/// (resources/help/identification.md section 8). Thread: GUI.
+/// (resources/help/identification.md section 8). A device with several axes has AxesFrequencyPanel in its
+/// place. Thread: GUI.
 class FrequencyPanel : public ExcitationPanel {
     Q_OBJECT
 public:
@@ -28,6 +30,7 @@ protected:
     void start() override;
 
 private:
+    void showAxes();
     QWidget* buildResult();
     std::vector<QPushButton*> buildSaving();
     void finish(const ResultHeader& header, const Result<FrequencyResult>& result);
@@ -40,6 +43,7 @@ private:
     FrequencyResultView* m_result = nullptr;
     QPushButton* m_save = nullptr;
     QPushButton* m_table = nullptr;
+    AxesFrequencyPanel* m_axes = nullptr; ///< once a device with several axes was there
 };
 
 } // namespace halbench::app

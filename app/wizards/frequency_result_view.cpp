@@ -1,9 +1,9 @@
 #include "app/wizards/frequency_result_view.h"
 
 #include "app/figures/frequency_figures.h"
-#include "app/wizards/frequency_words.h"
-#include "app/wizards/identify_words.h"
-#include "app/wizards/result_words.h"
+#include "app/wizards/frequency_text.h"
+#include "app/wizards/identify_text.h"
+#include "app/wizards/result_text.h"
 #include "app/wizards/words_and_pictures.h"
 #include "app/workbench/document_files.h"
 #include "app/workspaces/parts/figure_units.h"
@@ -62,11 +62,9 @@ void FrequencyResultView::refresh() {
         std::optional<FrequencyView> view; ///< absent: the raw record, never the last to be reached
     };
     const Tab tabs[] = {
-        {tr("Open loop"),
-         tr("With the gains on the board: magnitude, phase and coherence over one frequency"),
+        {tr("Open loop"), tr("With the device's gains: magnitude, phase and coherence over frequency"),
          FrequencyView::OpenLoop},
-        {tr("Plant"), tr("From the current to the measured angle, with the rotor that fits"),
-         FrequencyView::Plant},
+        {tr("Plant"), tr("From current to measured angle, with the fitted rotor"), FrequencyView::Plant},
         {tr("Raw record"), tr("Speed and current over time, as recorded"), {}},
         {tr("Closed loop"), tr("From the reference to the measured angle"), FrequencyView::ClosedLoop}};
     for (std::size_t i = 0; i < m_views.size(); ++i) {

@@ -100,7 +100,7 @@ void IdentifyForm::watchCurrent(widgets::QuantityEdit& box) {
         onChange();
         if (box.text() != text) { // left: it shows the number before
             m_isReverting = true;
-            m_notice = tr("%1: '%2' cannot be used. %3 The field shows %4 A again.")
+            m_notice = tr("%1: '%2' is not valid. %3 Reset to %4 A.")
                            .arg(box.accessibleName(), text, box.problemOf(text), box.text());
             Q_EMIT changed();
             // The click that took the focus was meant for what was typed: it starts nothing, the next one
@@ -162,16 +162,15 @@ void IdentifyForm::refreshWords() {
                              tr("Given friction &K_f"),
                              tr("Given torque constant \u03c6"),
                              tr("&Seed")};
-    const QString helps[] = {
-        tr("First steady current of the sweep; well above the breakaway current"),
-        tr("Last steady current of the sweep, included"),
-        tr("Distance of the currents"),
-        tr("Both ways also tell how friction differs between them"),
-        tr("Known inertia of all that turns; makes absolute values of ratios. Empty: not known"),
-        tr("Known viscous damping. Empty: not known"),
-        tr("Known Coulomb friction. Empty: not known"),
-        tr("Known torque constant. Empty: not known"),
-        tr("Order of the plateaus and resampling; equal seeds give equal results")};
+    const QString helps[] = {tr("First current of the sweep; well above the breakaway current"),
+                             tr("Last current of the sweep"),
+                             tr("Increment of the current"),
+                             tr("Both directions also show the asymmetry of friction"),
+                             tr("Known inertia of all rotating parts, for absolute values. Empty: unknown"),
+                             tr("Known viscous damping. Empty: unknown"),
+                             tr("Known Coulomb friction. Empty: unknown"),
+                             tr("Known torque constant. Empty: unknown"),
+                             tr("Seed for plateau order and resampling; equal seeds give equal results")};
     const auto fieldOf = [this](std::size_t i) -> QWidget* { return m_labels[i]->buddy(); };
     for (std::size_t i = 0; i < m_labels.size(); ++i) {
         m_labels[i]->setText(names[i]);
@@ -190,7 +189,7 @@ void IdentifyForm::refreshWords() {
         m_directions->setItemText(i, directions[i]);
     }
     m_advanced->setText(tr("&Advanced"));
-    m_advanced->setToolTip(tr("Show what is seldom changed (Alt+A)"));
+    m_advanced->setToolTip(tr("Show rarely used settings (Alt+A)"));
     m_advanced->setAccessibleName(tr("Advanced settings"));
 }
 
@@ -220,9 +219,8 @@ QStringList IdentifyForm::problems() const {
         }
     }
     if (all.isEmpty() && isSweepBackwards()) {
-        add(m_currents[1]->accessibleName(),
-            tr("It is smaller than \"%1\".").arg(m_currents[0]->accessibleName()),
-            tr("Make one larger or the other smaller"));
+        add(m_currents[1]->accessibleName(), tr("Smaller than \"%1\".").arg(m_currents[0]->accessibleName()),
+            tr("Increase this value or reduce the other"));
     }
     for (const widgets::OptionalNumberEdit* edit : m_given) {
         if (!edit->isValid()) {

@@ -2,9 +2,10 @@
 
 #include "app/documents/identification_file.h"
 #include "app/documents/result_documents.h"
+#include "app/wizards/axes_identify_panel.h"
 #include "app/wizards/identify_form.h"
 #include "app/wizards/identify_result_view.h"
-#include "app/wizards/identify_words.h"
+#include "app/wizards/identify_text.h"
 #include "app/workspaces/parts/figure_units.h"
 #include "app/workspaces/parts/preflight.h"
 #include "widgets/controls/message_bar.h"
@@ -51,6 +52,20 @@ void IdentifyPanel::onFileChooser() {
     m_save->setVisible(bool(chooser().save));
     m_load->setVisible(bool(chooser().open));
     m_loadFirst->setVisible(bool(chooser().open));
+    if (m_axes != nullptr) {
+        m_axes->setFileChooser(chooser());
+    }
+}
+
+void IdentifyPanel::showAxes(bool areSeveral) {
+    if (areSeveral && m_axes == nullptr) {
+        m_axes = new AxesIdentifyPanel(bench(), this);
+        m_axes->setFileChooser(chooser());
+        connect(m_axes, &AxesIdentifyPanel::tuneRequested, this, &IdentifyPanel::tuneRequested);
+        connect(m_axes, &AxesIdentifyPanel::identified, this, &IdentifyPanel::axesIdentified);
+        setAlternative(*m_axes);
+    }
+    showAlternative(areSeveral);
 }
 
 std::map<std::string, double> IdentifyPanel::given() const {
@@ -129,17 +144,17 @@ QWidget* IdentifyPanel::buildResultButtons() {
 }
 
 void IdentifyPanel::refreshWords() {
-    setSteps({tr("Prepare"), tr("Excite"), tr("Fit"), tr("Judge"), tr("Result")});
-    m_intro->setText(tr("Finds damping, friction, torque constant and inertia of the motor with their 95 % "
-                        "intervals, by turning it at steady currents and letting it coast."));
+    setSteps({tr("Prepare"), tr("Excite"), tr("Fit"), tr("Assess"), tr("Result")});
+    m_intro->setText(tr("Measures damping, friction, torque constant and inertia with 95 % intervals, from "
+                        "steady currents and coast-downs."));
     sayButton(*m_start, tr("Start identification"), tr("The rotor turns (Ctrl+Return); Esc stops it"));
-    sayButton(*m_loadFirst, tr("Load model…"), tr("Show a model that was saved before"));
-    sayButton(*m_tune, tr("Tune with this"), tr("Go on to the gains for this motor"));
-    sayButton(*m_save, tr("Save as model…"), tr("Write the file that the program's tune and analyse read"));
-    sayButton(*m_load, tr("Load model…"), tr("Show a model that was saved before"));
+    sayButton(*m_loadFirst, tr("Load model…"), tr("Show a saved model"));
+    sayButton(*m_tune, tr("Tune with this model"), tr("Design gains for this motor"));
+    sayButton(*m_save, tr("Save as model…"), tr("Save a file for the commands tune and analyse"));
+    sayButton(*m_load, tr("Load model…"), tr("Show a saved model"));
     sayButton(*m_again, tr("Identify again"),
-              tr("Back to the settings; this result stays until the next one"));
-    m_liveView->setToolTip(tr("Plateaus as they are completed; the fit comes afterwards"));
+              tr("Back to the settings; this result stays until the next run"));
+    m_liveView->setToolTip(tr("Plateaus completed so far; the fit follows at the end"));
     refreshPlan();
 }
 
@@ -147,6 +162,7 @@ void IdentifyPanel::onDevice() {
     const DeviceSession& session = bench().session();
     if (session.state() == SessionState::Connected) {
         m_form->setSeed(seedOf(session.info()));
+        showAxes(session.catalogue().axes.size() > 1);
     }
     if (isDepartureTold()) { // until it is read or the next one starts
         refreshPlan();
@@ -256,11 +272,11 @@ void IdentifyPanel::onStage(ProcedureState stage) {
     case ProcedureState::Excite:
     case ProcedureState::Record:
         runStep(ExciteStep);
-        m_progress->setText(tr("The rotor turns: plateaus and coast-downs"));
+        m_progress->setText(tr("Rotor turning: plateaus and coast-downs"));
         break;
     case ProcedureState::Fit:
         runStep(FitStep);
-        m_progress->setText(tr("Fitting all of the motion"));
+        m_progress->setText(tr("Fitting the recorded motion"));
         break;
     case ProcedureState::Judge:
         runStep(JudgeStep);
@@ -273,7 +289,7 @@ void IdentifyPanel::onStage(ProcedureState stage) {
 void IdentifyPanel::finish(const ResultHeader& header, const Result<IdentifyResult>& result) {
     m_frame.stop();
     if (!result) {
-        fail(result.error(), tr("The identification was cancelled; everything is as it was before."));
+        fail(result.error(), tr("Identification cancelled. Nothing was changed."));
         refreshPlan();
         m_start->setFocus(Qt::OtherFocusReason);
         return;
@@ -332,7 +348,7 @@ void IdentifyPanel::sayProject() {
     messages().showMessage({widgets::Severity::Information,
                             projectModelText(m_header) + QLatin1Char(' ') +
                                 projectDeviceText(m_header, isConnected ? &session.info() : nullptr),
-                            tr("Identify again when the motor has changed since."),
+                            tr("Identify again if the motor has changed."),
                             {}});
 }
 

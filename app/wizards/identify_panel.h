@@ -20,12 +20,15 @@ class ProgressRow;
 
 namespace halbench::app {
 
+class AxesIdentifyPanel;
 class IdentifyForm;
+struct AxisModelFile;
 class IdentifyResultView;
 class Preflight;
 
 /// The identification step by step: what will move, the sweep live, the result with its verdict. It drives
 /// the same runIdentify() as the batch program and saves the same file (resources/help/identification.md).
+/// A device with several axes has AxesIdentifyPanel in its place.
 /// Thread: GUI.
 class IdentifyPanel : public WizardPanel {
     Q_OBJECT
@@ -37,7 +40,8 @@ public:
     void setGiven(const std::map<std::string, double>& given);
 
 Q_SIGNALS:
-    void tuneRequested(); ///< the user wants to go on with the identified motor
+    void tuneRequested(); ///< the user wants to go on with the identified motor or axes
+    void axesIdentified(const halbench::app::AxisModelFile& model); ///< of a device with several
     void helpRequested(const QString& page);
 
 protected:
@@ -53,6 +57,7 @@ private:
     QWidget* buildResult();
     QWidget* buildResultButtons();
     void onDevice();
+    void showAxes(bool areSeveral);
     void refreshPlan();
     void start();
     void showLive();
@@ -91,6 +96,7 @@ private:
     QPushButton* m_save = nullptr;
     QPushButton* m_load = nullptr;
     QPushButton* m_again = nullptr;
+    AxesIdentifyPanel* m_axes = nullptr; ///< once a device with several axes was there
 };
 
 } // namespace halbench::app

@@ -1,9 +1,9 @@
 #include "app/wizards/identify_result_view.h"
 
 #include "app/figures/identification_figures.h"
-#include "app/wizards/identify_words.h"
+#include "app/wizards/identify_text.h"
 #include "app/wizards/note_label.h"
-#include "app/wizards/result_words.h"
+#include "app/wizards/result_text.h"
 #include "app/wizards/words_and_pictures.h"
 #include "app/workbench/document_files.h"
 #include "app/workspaces/parts/figure_units.h"
@@ -68,9 +68,9 @@ void IdentifyResultView::refresh() {
     m_figures->setTabEnabled(1, region.has_value());
     m_figures->setVisible(fit || region);
     m_figures->setTabText(0, tr("Fit and residuals"));
-    m_figures->setTabText(1, tr("Joint region"));
-    m_figures->setTabToolTip(0, tr("Steady speed against current, and what the fit leaves over"));
-    m_figures->setTabToolTip(1, tr("Where damping and friction lie together with 95 % probability"));
+    m_figures->setTabText(1, tr("Confidence region"));
+    m_figures->setTabToolTip(0, tr("Steady speed over current, and residuals"));
+    m_figures->setTabToolTip(1, tr("Joint 95 % confidence region of damping and friction"));
     m_figures->setAccessibleName(tr("Pictures of the identification"));
 }
 

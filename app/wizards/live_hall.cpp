@@ -65,7 +65,7 @@ widgets::Figure liveHallFigure(const std::vector<LiveHall::Point>& points, doubl
     panel.y = {utf8(Words::tr("Hall B")), "mT", false, -largest_mT, largest_mT, {}};
     panel.height_px = 300;
     panel.curves.push_back(std::move(curve));
-    widgets::Figure figure{utf8(Words::tr("Field that the Hall sensors read")),
+    widgets::Figure figure{utf8(Words::tr("Field measured by the Hall sensors")),
                            {utf8(Words::tr("Hall A")), "mT", false, -largest_mT, largest_mT, {}},
                            {std::move(panel)}};
     figure.isEqualScale = true; // a circle looks like one

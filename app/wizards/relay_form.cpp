@@ -45,14 +45,13 @@ void RelayForm::addRow(Field field, const QString& unit) {
 }
 
 void RelayForm::refreshWords() {
-    const QString names[] = {tr("&Base speed"), tr("Height of the relay"), tr("Swings")};
+    const QString names[] = {tr("&Base speed"), tr("Relay amplitude"), tr("Cycles")};
     const QString helps[] = {
-        tr("Steady speed that the loop swings around, at least 3 rad/s in either direction: friction is then "
-           "a plain "
-           "offset. Empty: as slow as is safe"),
-        tr("Current at which the controller saturates. Empty: as high as is safe"),
-        tr("That are measured, 40 to 400; the intervals shrink with their root. Empty: 100")};
-    const QString empty[] = {tr("what is safe"), tr("what is safe"), QStringLiteral("100")};
+        tr("Steady speed of the oscillation, at least 3 rad/s in either direction, so that friction acts as "
+           "a constant offset. Empty: lowest safe value"),
+        tr("Saturation current of the controller. Empty: maximum safe value"),
+        tr("Cycles to measure, 40 to 400; the intervals shrink with the square root. Empty: 100")};
+    const QString empty[] = {tr("safe value"), tr("safe value"), QStringLiteral("100")};
     for (std::size_t i = 0; i < m_edits.size(); ++i) {
         m_labels[i]->setText(names[i]);
         m_edits[i]->setAccessibleName(QString(names[i]).remove(QLatin1Char('&')));

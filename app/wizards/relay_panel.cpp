@@ -4,11 +4,11 @@
 #include "app/figures/frequency_figures.h"
 #include "app/procedures/frequency/frequency_board.h"
 #include "app/procedures/relay/relay_plan.h"
-#include "app/wizards/frequency_words.h"
-#include "app/wizards/identify_words.h"
+#include "app/wizards/frequency_text.h"
+#include "app/wizards/identify_text.h"
 #include "app/wizards/relay_form.h"
-#include "app/wizards/relay_words.h"
-#include "app/wizards/result_words.h"
+#include "app/wizards/relay_text.h"
+#include "app/wizards/result_text.h"
 #include "app/wizards/words_and_pictures.h"
 #include "widgets/controls/estimate_table.h"
 #include "widgets/figure/figure_view.h"
@@ -59,23 +59,20 @@ QPushButton* RelayPanel::buildSaving() {
 }
 
 void RelayPanel::refreshWords() {
-    setSteps({tr("Prepare"), tr("Swing"), tr("Fit"), tr("Result")});
-    intro().setText(
-        tr("Lets the loop swing by itself around a steady motion, with proportional control that "
-           "saturates, and finds the gain at which it would swing for ever, with its 95 % interval. "
-           "Calibrate the sensors first."));
-    running().setText(
-        tr("The rotor turns steadily and swings around that. STOP (Esc) and Cancel end it; gains, "
-           "limits, mode, windows and generator are restored."));
+    setSteps({tr("Prepare"), tr("Oscillate"), tr("Fit"), tr("Result")});
+    intro().setText(tr("Measures the ultimate gain with its 95 % interval: the loop oscillates around a "
+                       "steady motion under saturating proportional control. Calibrate the sensors first."));
+    running().setText(tr("The rotor turns steadily and oscillates. STOP (Esc) and Cancel end the run. Gains, "
+                         "limits, mode, windows and generator are restored."));
     setComputingWords(tr("Computing the result"));
     sayButton(startButton(), tr("Start experiment"),
-              tr("The rotor turns and swings (Ctrl+Return); Esc stops it"));
+              tr("The rotor turns and oscillates (Ctrl+Return); Esc stops it"));
     sayButton(useButton(), tr("Use in Tune"),
-              tr("Propose gains by Ziegler and Nichols from it, with their proof; nothing is applied"));
-    sayButton(*m_save, tr("Save result\u2026"), tr("Write the file that tune --relay reads"));
+              tr("Propose Ziegler-Nichols gains with their assessment; nothing is applied"));
+    sayButton(*m_save, tr("Save result\u2026"), tr("Save a file for tune --relay"));
     sayButton(againButton(), tr("Measure again"),
-              tr("Back to the settings; this result stays until the next one"));
-    m_record->setAccessibleName(tr("The swing as recorded"));
+              tr("Back to the settings; this result stays until the next run"));
+    m_record->setAccessibleName(tr("Oscillation as recorded"));
     m_both->setWordsName(tr("Ultimate gain and period"));
     m_words->table().setAccessibleName(tr("Ultimate gain and period"));
     showResult();
@@ -148,7 +145,7 @@ void RelayPanel::start() {
 
 void RelayPanel::finish(const ResultHeader& header, const Result<RelayResult>& result) {
     if (!result) {
-        showFailure(result.error(), tr("The experiment was cancelled; everything is as it was before."));
+        showFailure(result.error(), tr("Experiment cancelled. Nothing was changed."));
         return;
     }
     bench().session().message(MessageLevel::Info, tr("Relay experiment"), verdictTitle(result->quality));

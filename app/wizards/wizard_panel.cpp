@@ -1,7 +1,7 @@
 #include "app/wizards/wizard_panel.h"
 
 #include "app/documents/text/numbers.h"
-#include "app/workbench/departure_words.h"
+#include "app/workbench/departure_text.h"
 #include "app/workbench/document_files.h"
 #include "app/workspaces/device/pace_row.h"
 #include "widgets/controls/message_bar.h"
@@ -23,7 +23,11 @@ namespace halbench::app {
 WizardPanel::WizardPanel(Workbench& bench, QWidget* parent)
     : QWidget(parent), m_bench(bench), m_steps(new widgets::StepList(this)),
       m_message(new widgets::MessageBar(this)), m_pages(new QStackedWidget(this)) {
-    auto* row = new QHBoxLayout(this);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    m_own = new QWidget(this);
+    outer->addWidget(m_own, 1);
+    auto* row = new QHBoxLayout(m_own);
     row->setContentsMargins(widgets::PanelMargin_px, widgets::PanelMargin_px, widgets::PanelMargin_px,
                             widgets::PanelMargin_px);
     row->setSpacing(2 * widgets::GroupSpacing_px);
@@ -37,6 +41,19 @@ WizardPanel::WizardPanel(Workbench& bench, QWidget* parent)
     right->addWidget(m_message);
     right->addWidget(m_pages, 1);
     row->addLayout(right, 1);
+}
+
+void WizardPanel::setAlternative(QWidget& other) {
+    m_alternative = &other;
+    layout()->addWidget(m_alternative);
+    m_alternative->hide();
+}
+
+void WizardPanel::showAlternative(bool isShown) {
+    m_own->setVisible(!isShown);
+    if (m_alternative != nullptr) {
+        m_alternative->setVisible(isShown);
+    }
 }
 
 void WizardPanel::setFileChooser(FileChooser chooser) {
@@ -84,7 +101,7 @@ QWidget* WizardPanel::makeStartRow(QPushButton& start, QPushButton* beside) {
     row->addSpacing(widgets::GroupSpacing_px);
     row->addWidget(new PaceRow(m_bench, PaceRow::Place::BesideStart, bar));
     row->addStretch(1);
-    auto* shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), this);
+    auto* shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), m_own);
     shortcut->setContext(Qt::WidgetWithChildrenShortcut);
     connect(shortcut, &QShortcut::activated, &start, &QPushButton::click);
     return bar;
@@ -166,8 +183,8 @@ bool WizardPanel::couldStart(bool hasStarted) {
         m_message->clear();
     } else {
         m_message->showMessage({widgets::Severity::Error,
-                                tr("It could not start: no device, or it is busy."),
-                                tr("Connect a device, or wait for the end of what runs."),
+                                tr("Not started: no device connected, or the device is busy."),
+                                tr("Connect a device, or wait until the running task ends."),
                                 {}});
     }
     return hasStarted;

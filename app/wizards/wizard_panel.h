@@ -26,8 +26,8 @@ enum class StepState;
 
 namespace halbench::app {
 
-/// What the panels of procedures share: steps at the left, a message in place, pages; starting the session's
-/// procedure, saying how it ended, saving its document. Thread: GUI.
+/// Base of the panels of procedures: steps at the left, a message in place, pages; starts the session's
+/// procedure, says how it ended, saves its document. Thread: GUI.
 class WizardPanel : public QWidget {
     Q_OBJECT
 public:
@@ -60,6 +60,10 @@ protected:
 
     /// A page of settings: what it is for, the choices, what will happen, what must be so before.
     static QWidget* makePreparation(QLabel& intro, QWidget& form, QLabel& outlook, QWidget& preflight);
+    /// What stands in the place of all of this for a device of another kind.
+    void setAlternative(QWidget& other);
+    void showAlternative(bool isShown);
+
     /// Footer of a page of results.
     static QWidget* makeButtonRow(const std::vector<QPushButton*>& buttons);
     /// Back to a page of settings, all steps before one.
@@ -74,7 +78,7 @@ protected:
 
     /// The step that runs has failed; back to the first page.
     void fail(const Error& error, const QString& cancelledText);
-    /// The message says that the procedure ended because its device went (departure_words.h).
+    /// The message says that the procedure ended because its device went (departure_text.h).
     bool isDepartureTold() const;
     void showError(const Error& error);
 
@@ -94,6 +98,8 @@ private:
     FileChooser m_chooser;
     FileQueue m_files;
     bool m_isMine = false;
+    QWidget* m_own = nullptr; ///< steps, message and pages
+    QWidget* m_alternative = nullptr;
     QString m_departure; ///< the message while it is of that
     widgets::StepList* m_steps = nullptr;
     widgets::MessageBar* m_message = nullptr;

@@ -79,7 +79,7 @@ constexpr Words Signals[] = {
     {"coil_temperature.b", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Coil B")},
     {"status", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Board state")},
     {"fault", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Fault code")},
-    {"torn_count", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Torn parameter sets")},
+    {"torn_count", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Inconsistent parameter sets")},
     {"reference.segment", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Generator segment")},
     {"reference.running", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Generator running")},
     {"capture.state", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Capture state")},

@@ -15,13 +15,13 @@ struct Words {
 };
 
 void savePictureAs(QWidget* asking, const FileChooser& chooser, const FileQuestion& question,
-                   FileQueue& files, const PictureSaving& saving,
+                   FileQueue& files, const widgets::PictureSaving& taken,
                    std::function<void(const Error& error)> refused) {
     const QString path = chooser.save ? chooser.save(asking, question) : QString();
     if (path.isEmpty()) {
         return;
     }
-    files.run(saving(path), [refused = std::move(refused)](const Result<void>& saved) {
+    files.run(taken(path), [refused = std::move(refused)](const Result<void>& saved) {
         if (!saved) {
             refused(saved.error());
         }
@@ -55,19 +55,18 @@ void saveText(QWidget* asking, const FileChooser& chooser, const FileQuestion& q
 }
 
 void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
-                 const PictureSaving& saving, std::function<void(const Error& error)> refused) {
+                 const widgets::PictureSaving& taken, std::function<void(const Error& error)> refused) {
     savePictureAs(asking, chooser,
                   {Words::tr("Save picture"), suggestedName, Words::tr("Picture (*.svg *.pdf *.png)")}, files,
-                  saving, std::move(refused));
+                  taken, std::move(refused));
 }
 
 void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
                  const widgets::FigureView& view, std::function<void(const Error& error)> refused) {
     const QString kinds =
-        Words::tr("Picture (*.svg *.pdf *.png)") + QStringLiteral(";;") + Words::tr("Its numbers (*.csv)");
-    savePictureAs(
-        asking, chooser, {Words::tr("Save picture"), suggestedName, kinds}, files,
-        [&view](const QString& path) { return view.saving(path); }, std::move(refused));
+        Words::tr("Picture (*.svg *.pdf *.png)") + QStringLiteral(";;") + Words::tr("Plotted data (*.csv)");
+    savePictureAs(asking, chooser, {Words::tr("Save picture"), suggestedName, kinds}, files, view.taken(),
+                  std::move(refused));
 }
 
 } // namespace halbench::app

@@ -3,6 +3,7 @@
 #include "app/documents/text/json_value.h"
 #include "app/workbench/file_chooser.h"
 #include "app/workbench/file_queue.h"
+#include "widgets/figure/figure_file.h"
 
 #include <functional>
 
@@ -23,13 +24,11 @@ void saveText(QWidget* asking, const FileChooser& chooser, const FileQuestion& q
               std::function<Result<std::string>(const std::string& path)> text,
               std::function<void(const QString& path, const Result<void>& written)> then);
 
-/// What writes a picture to the file, on any thread.
-using PictureSaving = std::function<std::function<Result<void>()>(const QString& path)>;
-
 /// Asks for a file and writes the picture to it, off the GUI thread; `refused` gets what went wrong.
+/// `taken`: before the question, however long that stays open.
 void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
-                 const PictureSaving& saving, std::function<void(const Error& error)> refused);
-/// What the view shows.
+                 const widgets::PictureSaving& taken, std::function<void(const Error& error)> refused);
+/// The same with the picture that the view shows now.
 void savePicture(QWidget* asking, const FileChooser& chooser, const QString& suggestedName, FileQueue& files,
                  const widgets::FigureView& view, std::function<void(const Error& error)> refused);
 

@@ -1,5 +1,6 @@
 #include "app/workbench/drive_control.h"
 
+#include "app/workbench/drive_ability.h"
 #include "app/workbench/drive_orders.h"
 #include "widgets/language/phrasebook.h"
 
@@ -14,7 +15,6 @@ namespace halbench::app {
 namespace {
 
 constexpr int JogPeriod_ms = 20;
-constexpr const char* AngleName = "position";
 
 Result<void> write(devices::Device& device, const std::vector<ParameterValue>& values) {
     return device.writeParameters(values);
@@ -40,14 +40,11 @@ bool DriveControl::isAvailable() const {
 }
 
 bool DriveControl::canDrive() const {
-    return m_bench.session().catalogue().findParameter("hb.arm") != nullptr && !hasSeveralAxes();
+    return canBeDriven(m_bench.session().catalogue());
 }
 
 bool DriveControl::hasSeveralAxes() const {
-    const devices::Catalogue& catalogue = m_bench.session().catalogue();
-    return catalogue.signalForRole("position").empty() &&
-           std::any_of(catalogue.signals.begin(), catalogue.signals.end(),
-                       [](const SignalSpec& spec) { return spec.role.starts_with("position."); });
+    return m_bench.session().catalogue().axes.size() > 1;
 }
 
 bool DriveControl::isArmed() const {
@@ -89,6 +86,7 @@ bool DriveControl::canMove() const {
 }
 
 void DriveControl::onDevice() {
+    useFirstAxis();
     m_hasConsent = false;
     settleConsent();
     m_origin_rad.reset();
@@ -115,12 +113,14 @@ void DriveControl::onReport() {
 }
 
 void DriveControl::onSamples() {
+    seekOtherOrigins();
     seekOrigin();
     const bool wasRunning = isRunning();
     const bool isPosition = m_mode == devices::BoardMode::Position;
     // A ramp to a set-point is none of the angle that is held beside it.
     m_reference.look(m_bench.history(), isArmed() && isAvailable(),
-                     isPosition && !m_way ? m_origin_rad : std::nullopt, m_setpoint);
+                     isPosition && !m_way ? m_origin_rad : std::nullopt, m_setpoint,
+                     signal(m_axis.roles.reference));
     followWay();
     if (isRunning() != wasRunning) {
         Q_EMIT changed();
@@ -205,16 +205,17 @@ void DriveControl::takeOrigin(OriginBy by) {
     m_isOriginOfMode = by == OriginBy::Mode;
     m_startedShape.reset();
     m_origin_rad.reset();
-    const auto latest = m_bench.history().latest(AngleName);
+    const auto latest = m_bench.history().latest(signal(m_axis.roles.position));
     m_staleSample_s = latest ? std::optional(latest->time_s) : std::nullopt;
     const std::vector<std::string>& streamed = m_bench.liveSignals().streamed();
-    m_awaitsOrigin = std::find(streamed.begin(), streamed.end(), AngleName) != streamed.end();
+    m_awaitsOrigin =
+        std::find(streamed.begin(), streamed.end(), signal(m_axis.roles.position)) != streamed.end();
 }
 
 /// Where a motion begins is known before it may begin: what is held and the window's ends count from there. A
 /// sample from before does not tell: a hand, or what came while the link was lost, may have turned the rotor.
 void DriveControl::seekOrigin() {
-    const auto latest = m_bench.history().latest(AngleName);
+    const auto latest = m_bench.history().latest(signal(m_axis.roles.position));
     if (m_awaitsOrigin && latest && latest->time_s != m_staleSample_s && std::isfinite(latest->value)) {
         m_origin_rad = latest->value;
         m_awaitsOrigin = false;
@@ -223,7 +224,7 @@ void DriveControl::seekOrigin() {
 }
 
 double DriveControl::excursion_rad() const {
-    const auto latest = m_bench.history().latest(AngleName);
+    const auto latest = m_bench.history().latest(signal(m_axis.roles.position));
     return isArmed() && m_origin_rad && latest ? std::abs(latest->value - *m_origin_rad) : 0.0;
 }
 
@@ -232,11 +233,16 @@ std::optional<std::pair<double, double>> DriveControl::setpointRange_rad(double 
         m_bench.deviceValue("window.position_enabled").value_or(0.0) < 0.5) {
         return std::nullopt;
     }
-    const double end_rad = share_ratio * m_bench.deviceValue("window.position").value_or(0.0);
+    const double end_rad =
+        share_ratio * m_bench.deviceValue(parameter(m_axis.roles.positionWindow)).value_or(0.0);
     return std::pair(-end_rad - held_rad(), end_rad - held_rad());
 }
 
 void DriveControl::setMode(devices::BoardMode mode) {
+    if (hasSeveralAxes() && mode != devices::BoardMode::Idle && mode != devices::BoardMode::Position) {
+        Q_EMIT changed(); // its other modes have no axis
+        return;
+    }
     if (!isAvailable()) {
         m_mode = mode;
         Q_EMIT changed();
@@ -253,34 +259,35 @@ void DriveControl::setMode(devices::BoardMode mode) {
     }
 }
 
-void DriveControl::startReference(std::vector<ParameterValue> generator) {
+void DriveControl::startReference(std::vector<ParameterValue> values) {
     if (!canMove() || isRunning()) {
         return; // it would begin where the one that runs is by then, and add its way
     }
     const std::string& firmware = m_bench.session().info().firmware;
     if (m_mode == devices::BoardMode::Position && m_reference.hasRun() && !continuesReference(firmware)) {
         Q_EMIT failed(
-            tr("Not started: this firmware (%1) begins where it was armed, so the rotor would leap.")
+            tr("Not started: with this firmware (%1) the motion would begin at the arming position and the "
+               "rotor would jump.")
                 .arg(QString::fromStdString(firmware)),
-            tr("Disarm and arm, then start. Firmware from 0.2.0 on goes on from where it holds."));
+            tr("Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position."));
         return;
     }
     leaveWay();
     m_reference.begin();
     m_startedShape.reset();
-    for (const ParameterValue& value : generator) {
-        m_startedShape = value.name == "reference.shape" ? std::optional(value.value) : m_startedShape;
+    for (const ParameterValue& value : values) {
+        m_startedShape = value.name == generator("shape") ? std::optional(value.value) : m_startedShape;
     }
-    generator.push_back({"reference.start", 1.0});
-    run([motion =
-             inMode(m_mode, std::move(generator))](devices::Device& device) { return write(device, motion); },
+    values.push_back({"reference.start", 1.0});
+    run([motion = inMode(m_mode, withOthersHeld(std::move(values)))](
+            devices::Device& device) { return write(device, motion); },
         [this] { m_bench.refreshValues(); });
     Q_EMIT changed();
 }
 
 std::size_t DriveControl::runningShape() const {
     const double code =
-        m_startedShape ? *m_startedShape : m_bench.deviceValue("reference.shape").value_or(0.0);
+        m_startedShape ? *m_startedShape : m_bench.deviceValue(generator("shape")).value_or(0.0);
     return static_cast<std::size_t>(std::max(code, 0.0));
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workbench/held_reference.h"
+#include "app/workbench/reference_hold.h"
 #include "app/workbench/workbench.h"
 #include "control/base/result.h"
 #include "devices/device.h"
@@ -11,7 +11,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -29,8 +31,14 @@ public:
     bool isAvailable() const;
     /// The device knows our arming (resources/help/protocol.md 3.15); boards of other makers do not.
     bool canDrive() const;
-    /// The device has several axes, and no single position that a set-point could mean.
     bool hasSeveralAxes() const;
+    /// Which mean what moves; the device's, or that of a board without a profile.
+    std::vector<devices::AxisSpec> axes() const;
+    /// The axis that set-point, jog and reference move; the others hold. Positions below are in its unit.
+    const devices::AxisSpec& axis() const { return m_axis; }
+    /// Ignored while a motion runs: it would go on unseen.
+    void chooseAxis(const std::string& id);
+    bool canChooseAxis() const { return !isRunning() && !isJogging() && !isPending(); }
     bool isArmed() const;
     bool isStopped() const;  ///< a stop or a fault is latched
     bool canRelease() const; ///< and it is no longer too early
@@ -66,7 +74,8 @@ public:
     /// A way that is no leap is a step. A longer one is an even ramp of the board with this speed; refused
     /// while a reference runs and where the board makes no ramp that begins where it stands.
     void setSetpoint(double value, double ramp_rad_s);
-    static constexpr double LargestStep_deg = 30.0;
+    static constexpr double LargestStep_deg = 30.0; ///< of an axis that turns for ever
+    double largestStep() const;                     ///< in the unit of the axis
     /// Position mode: too far for a step.
     bool isLeap(double value) const;
     /// What keeps set-point and held angle together inside the board's excursion window; nothing in other
@@ -92,7 +101,7 @@ public:
 
     /// Values of the board's generator; does nothing while a motion of it runs. In position mode it begins at
     /// the angle that is held; refused where the board would leap back instead (continuesReference()).
-    void startReference(std::vector<ParameterValue> generator);
+    void startReference(std::vector<ParameterValue> values);
     void stopReference();
     /// The board's generator runs, or has just been told to.
     bool isRunning() const { return m_reference.isRunning(); }
@@ -120,6 +129,13 @@ private:
     void onSamples();
     void settleConsent();
     bool rampsOnBoard() const;
+    std::string setpointName() const;
+    std::string generator(const char* parameter) const;
+    std::string signal(const std::string& role) const;
+    std::string parameter(const std::string& role) const;
+    void useFirstAxis();
+    void seekOtherOrigins();
+    std::vector<ParameterValue> withOthersHeld(std::vector<ParameterValue> values) const;
     void refuseLeap();
     void sendRamp(double value, double ramp_rad_s);
     double reached_rad() const;
@@ -143,13 +159,21 @@ private:
     };
     double m_setpoint = 0.0;
     double m_sent = 0.0; ///< of it, what the board has as its set-point; ramps have moved the rest
+    /// Motion of an axis that is not chosen.
+    struct AxisMotion {
+        double setpoint = 0.0, sent = 0.0;
+        std::optional<double> origin;
+        ReferenceHold reference;
+    };
+    devices::AxisSpec m_axis;
+    std::map<std::string, AxisMotion> m_others; ///< by axis
     std::optional<Way> m_way;
     std::optional<std::pair<double, double>> m_next; ///< set-point and speed, when the way has ended
     std::optional<double> m_origin_rad;
     bool m_isOriginOfMode = false;
     bool m_awaitsOrigin = false;
     std::optional<double> m_staleSample_s; ///< the angle's last sample before: a newer one is waited for
-    HeldReference m_reference;
+    ReferenceHold m_reference;
     std::optional<double> m_startedShape;
     bool m_hasConsent = false;
     bool m_isAsking = false;

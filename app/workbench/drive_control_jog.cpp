@@ -18,18 +18,8 @@ constexpr double LongestJogStep_s = 0.05;
 constexpr double JogHold_s = 0.3;
 constexpr double ShapeStep = 1.0;
 constexpr double ShapeRamp = 2.0;
-/// The board's ramp ends there only when its end is not 0.
-constexpr double LeastJog_rad = 1e-4;
 /// Of the board's excursion window: jogging ends before the board would stop it.
 constexpr double WindowShare_ratio = 0.9;
-
-std::vector<ParameterValue> heldCurrent(double current_A) {
-    return {{"reference.shape", ShapeStep},
-            {"reference.amplitude", current_A},
-            {"reference.base", 0.0},
-            {"reference.duration", JogHold_s},
-            {"reference.start", 1.0}};
-}
 
 } // namespace
 
@@ -44,6 +34,7 @@ void DriveControl::startJog(double rate) {
     m_jogged.start();
     m_jog.start();
     jogStep();
+    Q_EMIT changed();
 }
 
 void DriveControl::jogStep() {
@@ -60,7 +51,12 @@ void DriveControl::jogStep() {
     }
     m_sinceJogStep.start();
     if (!isPosition) {
-        sendJog(heldCurrent(m_jogRate), m_setpoint);
+        sendJog({{generator("shape"), ShapeStep},
+                 {generator("amplitude"), m_jogRate},
+                 {generator("base"), 0.0},
+                 {generator("duration"), JogHold_s},
+                 {"reference.start", 1.0}},
+                m_setpoint);
     } else if (const auto ramp = jogRamp()) {
         m_reference.begin();
         m_startedShape = ShapeRamp;
@@ -72,7 +68,7 @@ void DriveControl::jogStep() {
 /// where it was armed would leap back.
 bool DriveControl::rampsOnBoard() const {
     return continuesReference(m_bench.session().info().firmware) &&
-           m_bench.session().catalogue().findParameter("reference.rate") != nullptr;
+           m_bench.session().catalogue().findParameter(generator("rate")) != nullptr;
 }
 
 void DriveControl::moveJogSetpoint() {
@@ -82,7 +78,7 @@ void DriveControl::moveJogSetpoint() {
             : 0.0;
     m_sinceJogStep.start();
     const double next = nextJogSetpoint(step_s);
-    sendJog({{"hb.setpoint", m_sent + next - m_setpoint}}, next);
+    sendJog({{setpointName(), m_sent + next - m_setpoint}}, next);
 }
 
 /// From where the ramp before runs, so that a renewed hold changes neither angle nor speed. Nothing where
@@ -95,16 +91,16 @@ std::optional<std::vector<ParameterValue>> DriveControl::jogRamp() const {
         const double jogged_s = static_cast<double>(m_jogged.nsecsElapsed()) * 1e-9 * board_s_per_s;
         end_rad =
             std::min(*m_jogRoom_rad - std::abs(m_jogRate) * jogged_s, jogRoom_rad().value_or(*m_jogRoom_rad));
-        if (end_rad < LeastJog_rad) {
+        if (end_rad < m_axis.referenceTolerance) { // an end of 0 would be none
             return std::nullopt;
         }
     }
-    return std::vector<ParameterValue>{{"reference.shape", ShapeRamp},
-                                       {"reference.rate", m_jogRate},
-                                       {"reference.amplitude", end_rad},
-                                       {"reference.base", 0.0},
-                                       {"reference.duration", JogHold_s * board_s_per_s},
-                                       {"reference.start", 1.0}};
+    return withOthersHeld({{generator("shape"), ShapeRamp},
+                           {generator("rate"), m_jogRate},
+                           {generator("amplitude"), end_rad},
+                           {generator("base"), 0.0},
+                           {generator("duration"), JogHold_s * board_s_per_s},
+                           {"reference.start", 1.0}});
 }
 
 void DriveControl::sendJog(std::vector<ParameterValue> values, double setpoint) {

@@ -1,4 +1,5 @@
 // Set-points: a short way is a step of the loop, a long one an even ramp of the board, no leap.
+#include "app/workbench/display_quantity.h"
 #include "app/workbench/drive_control.h"
 #include "app/workbench/drive_orders.h"
 #include "control/base/units.h"
@@ -18,20 +19,14 @@ constexpr double ShapeRamp = 2.0;
 /// Longer than the ramp takes, so that it ends where it shall.
 constexpr double RampReserve_s = 0.1;
 
-std::vector<ParameterValue> rampBy(double way_rad, double rate_rad_s) {
-    return {{"reference.shape", ShapeRamp},
-            {"reference.rate", std::copysign(rate_rad_s, way_rad)},
-            {"reference.amplitude", std::abs(way_rad)},
-            {"reference.base", 0.0},
-            {"reference.duration", std::abs(way_rad) / rate_rad_s + RampReserve_s},
-            {"reference.start", 1.0}};
-}
-
 } // namespace
 
 bool DriveControl::isLeap(double value) const {
-    return m_mode == devices::BoardMode::Position &&
-           std::abs(value - m_setpoint) > degreesToRadians(LargestStep_deg);
+    return m_mode == devices::BoardMode::Position && std::abs(value - m_setpoint) > largestStep();
+}
+
+double DriveControl::largestStep() const {
+    return m_axis.turnsForever ? degreesToRadians(LargestStep_deg) : m_axis.windowMargin;
 }
 
 double DriveControl::goal() const {
@@ -48,7 +43,7 @@ void DriveControl::setSetpoint(double value, double ramp_rad_s) {
     } else if (!isLeap(value)) {
         // What ramps have moved is held by the board's generator, beside its set-point.
         const double sent = m_sent + value - m_setpoint;
-        run([values = inMode(m_mode, {{"hb.setpoint", sent}})](
+        run([values = inMode(m_mode, {{setpointName(), sent}})](
                 devices::Device& device) { return device.writeParameters(values); },
             [this, value, sent] {
                 m_setpoint = value;
@@ -62,21 +57,30 @@ void DriveControl::setSetpoint(double value, double ramp_rad_s) {
 }
 
 void DriveControl::refuseLeap() {
-    const QString most = QString::number(LargestStep_deg);
+    const DisplayQuantity shown = displayQuantity(m_axis.positionUnit, m_bench.displayUnits());
+    const QString most = m_axis.turnsForever
+                             ? QString::number(LargestStep_deg) + QChar(0xB0)
+                             : QString::number(largestStep() * shown.factor) + QLatin1Char(' ') + shown.unit;
     Q_EMIT failed(
-        isRunning() ? tr("Not sent: a reference runs, and more than %1° at once is a leap.").arg(most)
-                    : tr("Not sent: more than %1° at once is a leap, and the firmware of this board "
-                         "makes no ramp of it.")
-                          .arg(most),
-        isRunning() ? tr("End the reference first; then the board goes there as an even ramp.")
-                    : tr("Go there in smaller steps, or jog. Firmware from 0.2.0 on makes a ramp."));
+        isRunning() ? tr("Not sent: a reference is running, and a step above %1 is too large.").arg(most)
+                    : tr("Not sent: a step above %1 is too large, and this firmware has no ramp.").arg(most),
+        isRunning() ? tr("End the reference first. The device then moves there in a ramp.")
+                    : tr("Use smaller steps or jog. Firmware 0.2.0 and later moves in a ramp."));
 }
 
 void DriveControl::sendRamp(double value, double ramp_rad_s) {
     m_way = Way{m_setpoint, value};
     m_reference.begin();
     m_startedShape = ShapeRamp;
-    m_bench.session().request([values = inMode(m_mode, rampBy(value - m_setpoint, ramp_rad_s))](
+    const double way = value - m_setpoint;
+    std::vector<ParameterValue> ramp =
+        withOthersHeld({{generator("shape"), ShapeRamp},
+                        {generator("rate"), std::copysign(ramp_rad_s, way)},
+                        {generator("amplitude"), std::abs(way)},
+                        {generator("base"), 0.0},
+                        {generator("duration"), std::abs(way) / ramp_rad_s + RampReserve_s},
+                        {"reference.start", 1.0}});
+    m_bench.session().request([values = inMode(m_mode, std::move(ramp))](
                                   devices::Device& device) { return device.writeParameters(values); },
                               [self = QPointer(this)](const Result<void>& written) {
                                   if (!self) {
@@ -96,7 +100,7 @@ void DriveControl::sendRamp(double value, double ramp_rad_s) {
 
 /// Where the ramp is by the newest sample of the reference.
 double DriveControl::reached_rad() const {
-    const auto reference = m_bench.history().latest("reference");
+    const auto reference = m_bench.history().latest(signal(m_axis.roles.reference));
     if (!m_way || !m_origin_rad || !reference || !std::isfinite(reference->value)) {
         return m_setpoint;
     }
@@ -147,6 +151,7 @@ void DriveControl::clearMotion() {
     m_way.reset();
     m_next.reset();
     m_reference.clear();
+    m_others.clear();
 }
 
 } // namespace halbench::app

@@ -35,17 +35,17 @@ LoopCapture::~LoopCapture() {
     if (!m_living) {
         return;
     }
-    delete m_farewell;
+    delete m_disconnectTask;
     m_session.request([kept = m_kept](devices::Device& device) { return putBack(device, *kept); },
                       [](const Result<void>&) {});
 }
 
 /// For another device.
 void LoopCapture::renew() {
-    delete m_farewell;
+    delete m_disconnectTask;
     m_kept = std::make_shared<Kept>();
-    m_farewell =
-        new Farewell(m_session, [kept = m_kept](devices::Device& device) { (void)putBack(device, *kept); });
+    m_disconnectTask = new DisconnectTask(
+        m_session, [kept = m_kept](devices::Device& device) { (void)putBack(device, *kept); });
 }
 
 void LoopCapture::start(const CaptureConfig& config) {
@@ -87,10 +87,9 @@ void LoopCapture::onSession() {
     m_isBegun = false;
     if (m_session.state() == SessionState::Disconnected) {
         if (m_kept->before) {
-            m_session.message(
-                MessageLevel::Warning, tr("capture"),
-                tr("the device was gone before its capture settings could be put back: unless it "
-                   "was restarted, they are still those of the capture"));
+            m_session.message(MessageLevel::Warning, tr("capture"),
+                              tr("Device lost before its capture settings were restored. Unless it was "
+                                 "restarted, the settings of the last capture are still active"));
         }
         renew();
     }
@@ -212,8 +211,8 @@ void LoopCapture::look() {
 void LoopCapture::saw(CaptureState state) {
     switch (state) {
     case CaptureState::Idle:
-        fail({ErrorCode::Protocol, "the board's capture was ended by somebody else",
-              "another program may be using it; wait again to start it anew"});
+        fail({ErrorCode::Protocol, "the device's capture was ended by another program",
+              "make sure that no other program uses it, then re-arm the trigger"});
         break;
     case CaptureState::Filling:
         setState(State::Filling);
@@ -256,7 +255,7 @@ void LoopCapture::took(Result<Recording> piece) {
     }
     Result<Recording> whole = checkCapture(std::move(piece), m_config);
     if (whole && whole->rows() == 0) {
-        whole = failure(ErrorCode::Protocol, "the board gave nothing of its full capture",
+        whole = failure(ErrorCode::Protocol, "the device sent no data of its completed capture",
                         "another program may be using its capture; try again");
     }
     if (!whole) {

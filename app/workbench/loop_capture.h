@@ -2,7 +2,7 @@
 
 #include "app/procedures/record/capture_orders.h"
 #include "app/session/device_session.h"
-#include "app/session/farewell.h"
+#include "app/session/disconnect_task.h"
 
 #include <QObject>
 #include <QPointer>
@@ -93,7 +93,7 @@ private:
     Error m_error;
     Recording m_recording;
     std::shared_ptr<Kept> m_kept;
-    QPointer<Farewell> m_farewell;
+    QPointer<DisconnectTask> m_disconnectTask;
     bool m_isWanted = false;
     bool m_isBegun = false; ///< the board has the present config
     bool m_isAsking = false;

@@ -74,8 +74,8 @@ void addPaceKeys(Workbench& bench, QWidget& panel) {
             }
         });
     };
-    add(Words::tr("Slower"), "<", Words::tr("Simulated or replayed time runs slower"), slowerPace);
-    add(Words::tr("Faster"), ">", Words::tr("Simulated or replayed time runs faster"), fasterPace);
+    add(Words::tr("Slower"), "<", Words::tr("Slow down simulated or replayed time"), slowerPace);
+    add(Words::tr("Faster"), ">", Words::tr("Speed up simulated or replayed time"), fasterPace);
 }
 
 } // namespace halbench::app

@@ -87,10 +87,9 @@ void RecordingControl::setNameMask(const QString& mask) {
 void RecordingControl::hold() {
     const bool isHolding = m_preTrigger_s > 0.0 || m_isWaiting;
     m_feed->keep(isHolding ? std::optional(m_preTrigger_s) : std::nullopt);
-    m_session.setBlockSink(isHolding ? devices::BlockSink([feed = m_feed](SampleBlockPtr block) {
-        feed->push(std::move(block));
-    })
-                                     : devices::BlockSink());
+    m_session.setBlockSink(
+        isHolding ? TimedBlockSink([feed = m_feed](const TimedBlock& block) { feed->push(block); })
+                  : TimedBlockSink());
     m_liveSignals.want(this, isHolding ? m_session.catalogue().defaultSignals : std::vector<std::string>());
     m_liveSignals.wantRate(this, isHolding ? m_rate_Hz : 0.0);
 }
@@ -100,6 +99,10 @@ void RecordingControl::setRate_Hz(double rate_Hz) {
     if (!isRecording() && (m_preTrigger_s > 0.0 || m_isWaiting)) {
         m_liveSignals.wantRate(this, rate_Hz); // of the rows that are kept
     }
+}
+
+double RecordingControl::usedRate_Hz() const {
+    return m_rate_Hz > 0.0 ? m_rate_Hz : m_liveSignals.rate_Hz();
 }
 
 void RecordingControl::setPreTrigger_s(double length_s) {
@@ -132,16 +135,14 @@ double RecordingControl::held_s() const {
 /// There is a device, and a file of its own for what comes.
 bool RecordingControl::isReady() {
     if (m_session.state() != SessionState::Connected) {
-        Q_EMIT failed(tr("There is nothing to record."), tr("Connect a device first."));
+        Q_EMIT failed(tr("Nothing to record."), tr("Connect a device first."));
         return false;
     }
     const double most_Hz = m_liveSignals.greatestRate_Hz(m_session.catalogue().defaultSignals);
-    if (most_Hz > 0.0 && m_rate_Hz > std::max(most_Hz, UsualRate_Hz)) {
-        Q_EMIT failed(
-            tr("What is plotted cannot be recorded at %1 Hz.").arg(m_rate_Hz),
-            tr("The device and its link carry at most %1 Hz of it. Choose a lower rate, or plot fewer "
-               "signals.")
-                .arg(widgets::numberText(most_Hz, RateDigits)));
+    if (most_Hz > 0.0 && m_rate_Hz > std::max(most_Hz, UsualRate_Hz)) { // never of the plots' own rate
+        Q_EMIT failed(tr("The plotted signals cannot be recorded at %1 Hz.").arg(m_rate_Hz),
+                      tr("Maximum of device and link: %1 Hz. Choose a lower rate, or plot fewer signals.")
+                          .arg(widgets::numberText(most_Hz, RateDigits)));
         return false;
     }
     const Result<QString> name = newName();
@@ -152,7 +153,7 @@ bool RecordingControl::isReady() {
     m_path = QDir(m_folder).filePath(*name + QStringLiteral(".csv"));
     if (QFileInfo::exists(m_path)) {
         Q_EMIT failed(tr("%1 exists already.").arg(m_path),
-                      tr("Choose another name; recordings are not overwritten."));
+                      tr("Choose another name; existing recordings are not overwritten."));
         return false;
     }
     return true;
@@ -219,7 +220,7 @@ void RecordingControl::prepare() {
     config.disk = m_disk;
     config.queue_rows = m_queue_rows;
     config.layout = layoutFor(m_session.catalogue(), m_liveSignals.streamed(),
-                              periodFor(m_rate_Hz, m_liveSignals.rate_Hz()));
+                              periodFor(usedRate_Hz(), m_liveSignals.rate_Hz()));
     if (m_event_s && m_postTrigger_s > 0.0) {
         config.end_s = *m_event_s + m_postTrigger_s;
     }
@@ -264,7 +265,7 @@ void RecordingControl::begin(RecorderConfig config) {
         m_recorder->addMarker(*m_start_s, "record");
     }
     m_feed->give(m_recorder, m_event_s.value_or(m_start_s.value_or(0.0)) - m_preTrigger_s);
-    m_session.setBlockSink([feed = m_feed](SampleBlockPtr block) { feed->push(std::move(block)); });
+    m_session.setBlockSink([feed = m_feed](const TimedBlock& block) { feed->push(block); });
     m_look.start();
     Q_EMIT changed();
 }
@@ -323,7 +324,7 @@ void RecordingControl::look() {
         leave();
         const Error error = status.error.value_or(Error());
         Q_EMIT failed(widgets::inWords(error.message),
-                      tr("%1. What was written until then is in %2.")
+                      tr("%1. The data recorded until then are in %2.")
                           .arg(widgets::inWords(error.hint), m_path + QStringLiteral(".partial")));
     }
     Q_EMIT changed();

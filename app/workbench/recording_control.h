@@ -31,15 +31,17 @@ public:
     /// Completes the file.
     ~RecordingControl() override;
 
-    /// Where and how densely the next recording goes. More than the stream usually has makes it faster while
-    /// it is recorded, as far as board and link carry it (LiveSignals::wantRate()); beyond that start()
-    /// refuses.
+    /// Where and how densely the next recording goes. Rate 0: as densely as the plots. More than
+    /// the stream usually has makes it faster while it is recorded, as far as board and link carry it
+    /// (LiveSignals::wantRate()); beyond that start() refuses.
     void setFolder(const QString& folder);
     const QString& folder() const { return m_folder; }
     /// Recordings of the folder came or went otherwise.
     void noteFilesChanged() { Q_EMIT folderChanged(); }
     void setRate_Hz(double rate_Hz);
     double rate_Hz() const { return m_rate_Hz; }
+    /// The chosen one, else that of the plots.
+    double usedRate_Hz() const;
     /// What the mask's {name} is; a mask without it: the whole name. Empty: the program names the recording
     /// by the mask. Without folder and ending.
     void setName(const QString& name) { m_name = name; }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/workbench/history_shifts.h"
 #include "app/workbench/live_trigger.h"
+#include "app/workbench/stream_time_offsets.h"
 
 #include <QObject>
 
@@ -21,7 +21,7 @@ public:
     void setChoice(const TriggerChoice& choice, const QString& words);
     const QString& words() const { return m_words; }
     /// Between the history's time and the device's: whoever brings rows into the history notes them.
-    HistoryShifts& shifts() { return m_shifts; }
+    StreamTimeOffsets& shifts() { return m_shifts; }
     /// Whether what is waited for can come at all: there are samples of it.
     bool hasSamples() const;
 
@@ -39,7 +39,7 @@ private:
     TriggerChoice m_choice;
     QString m_words;
     bool m_isWaiting = false;
-    HistoryShifts m_shifts;
+    StreamTimeOffsets m_shifts;
 };
 
 } // namespace halbench::app

@@ -158,7 +158,7 @@ void ShownRecording::fill() {
     const std::size_t width = std::max<std::size_t>(m_file->recording.layout->columns.size(), 1);
     for (std::size_t values = 0; m_nextRow < rows && values < PieceValues;) {
         const SampleBlock block = nextPiece();
-        m_bench.show(block, true);
+        m_bench.show(block, 0.0, true);
         m_nextRow += block.rows();
         values += (block.rows() + 1) * width; // many gaps make many pieces
     }

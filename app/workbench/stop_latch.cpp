@@ -67,7 +67,7 @@ void StopLatch::release(std::function<void(const Result<void>&)> then) {
     refresh(); // a stop of this moment
     if (isLocked()) {
         then(failure(ErrorCode::Refused, tr("The stop cannot be released yet.").toStdString(),
-                     tr("Wait a moment, look, then release it.").toStdString()));
+                     tr("Wait a moment, check the actuator, then release.").toStdString()));
         return;
     }
     m_session.requestUnlessStopped([](devices::Device& device) { return device.clearStop(); },

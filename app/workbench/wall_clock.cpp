@@ -1,6 +1,7 @@
 #include "app/workbench/wall_clock.h"
 
-#include <QLocale>
+#include "widgets/language/local_time.h"
+
 #include <QRegularExpression>
 
 namespace halbench::app {
@@ -12,7 +13,7 @@ QDateTime wallClock() {
 QString localDate(const std::string& started) {
     const QString text = QString::fromStdString(started);
     const QDateTime date = QDateTime::fromString(text, Qt::ISODate);
-    return date.isValid() ? QLocale().toString(date.toLocalTime(), QLocale::ShortFormat) : text;
+    return date.isValid() ? widgets::localTimeText(date) : text;
 }
 
 QString datedName(const QString& subject, const QDateTime& date) {

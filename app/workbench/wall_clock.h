@@ -15,7 +15,7 @@ using WallClock = std::function<QDateTime()>;
 /// numbers never depend on it.
 QDateTime wallClock();
 
-/// The `started` of a result as its reader's clock had it, in the reader's notation; as it is when it is no
+/// The `started` of a result as its reader's clock had it, "2026-11-26 23:14:05"; as it is when it is no
 /// date.
 QString localDate(const std::string& started);
 

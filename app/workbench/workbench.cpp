@@ -3,9 +3,9 @@
 #include "app/documents/configuration_file.h"
 #include "app/documents/result_documents.h"
 #include "app/workbench/drive_control.h"
-#include "app/workbench/idle_reference.h"
 #include "app/workbench/piecewise_reading.h"
 #include "app/workbench/recording_trigger.h"
+#include "app/workbench/reference_mask.h"
 #include "app/workbench/shown_recording.h"
 #include "devices/history/page_file.h"
 
@@ -101,18 +101,18 @@ ResultHeader Workbench::beginResult(const std::string& schema) const {
 
 void Workbench::drainSamples() {
     settleHistory();
-    const std::vector<SampleBlockPtr> blocks = m_session.takeBlocks();
+    const std::vector<TimedBlock> blocks = m_session.takeBlocks();
     if (!blocks.empty()) {
         m_shownRecording->leave(); // it is played now
     }
     // By hand the mode is known; what a procedure drives is drawn as it comes, unless that drives currents.
     const bool isAngle = !m_isCurrentDriven && (!m_session.procedure().isEmpty() ||
                                                 m_drive->mode() == devices::BoardMode::Position);
-    for (const SampleBlockPtr& block : blocks) {
-        show(*block, isAngle);
-        if (const auto held = m_history.range(); held && block->rows() > 0) {
-            const double shift_s = held->end_s - block->time_s.back();
-            m_recordingTrigger->shifts().note(block->time_s.front() + shift_s, shift_s);
+    for (const TimedBlock& block : blocks) {
+        show(*block.block, block.shift_s, isAngle);
+        if (const auto held = m_history.range(); held && block.rows() > 0) {
+            const double shift_s = held->end_s - block.end_s();
+            m_recordingTrigger->shifts().note(block.begin_s() + shift_s, shift_s);
         }
     }
     if (!blocks.empty()) {
@@ -122,8 +122,12 @@ void Workbench::drainSamples() {
     sayHistoryTrouble();
 }
 
-void Workbench::show(const SampleBlock& block, bool isAngle) {
-    m_history.append(m_derived.with(withoutIdleReference(block, m_session.catalogue(), isAngle)));
+void Workbench::show(const SampleBlock& block, double shift_s, bool isAngle) {
+    BlockColumns columns;
+    columns.shift_s = shift_s;
+    hideReferenceMask(columns, block, m_session.catalogue(), isAngle);
+    m_derived.addTo(columns, block);
+    m_history.append(block, columns);
 }
 
 bool Workbench::settleHistory() {
@@ -320,9 +324,11 @@ void Workbench::setDisplayUnits(const DisplayUnits& units) {
     }
 }
 
-void Workbench::setStrayInterval95_T_per_A(std::optional<std::pair<double, double>> interval) {
-    if (interval != m_strayInterval95_T_per_A) {
+void Workbench::setStrayInterval95_T_per_A(std::optional<std::pair<double, double>> interval,
+                                           std::vector<Finding> doubts) {
+    if (interval != m_strayInterval95_T_per_A || doubts != m_calibrationDoubts) {
         m_strayInterval95_T_per_A = interval;
+        m_calibrationDoubts = std::move(doubts);
         strayIntervalChanged();
     }
 }

@@ -102,7 +102,7 @@ public:
     /// Moves what arrived into the history; called once per frame.
     void drainSamples();
     /// Puts samples into the history, with what is derived from them. `isAngle`: the reference is one.
-    void show(const SampleBlock& block, bool isAngle);
+    void show(const SampleBlock& block, double shift_s, bool isAngle);
     /// Takes over what was read back from the disk meanwhile. Whether rows come faster than it takes them.
     bool settleHistory();
     /// Where samples go that memory has no room for. Forgets those that are there.
@@ -138,7 +138,10 @@ public:
     const std::optional<std::pair<double, double>>& strayInterval95_T_per_A() const {
         return m_strayInterval95_T_per_A;
     }
-    void setStrayInterval95_T_per_A(std::optional<std::pair<double, double>> interval);
+    /// `doubts`: of that calibration.
+    void setStrayInterval95_T_per_A(std::optional<std::pair<double, double>> interval,
+                                    std::vector<Finding> doubts = {});
+    const std::vector<Finding>& calibrationDoubts() const { return m_calibrationDoubts; }
 
     const std::optional<IdentifyResult>& identification() const { return m_identification; }
     /// Of the identification; it stays beside it.
@@ -196,6 +199,7 @@ private:
     std::vector<ValueDifference> m_differences;
     DisplayUnits m_displayUnits;
     std::optional<std::pair<double, double>> m_strayInterval95_T_per_A;
+    std::vector<Finding> m_calibrationDoubts;
     std::optional<IdentifyResult> m_identification;
     Provenance m_provenance;
     std::optional<TuneResult> m_design;

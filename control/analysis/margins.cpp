@@ -300,6 +300,7 @@ StabilityMargins withStableGains(StabilityMargins margins, const std::vector<Cro
     }
     margins.gainMargin_ratio = std::numeric_limits<double>::infinity();
     margins.phaseCrossover_rad_s.reset();
+    margins.delayMargin_s = 0.0;
     if (gains) {
         margins.gainMargin_ratio = gains->to_ratio <= 1.0 ? gains->to_ratio : gains->from_ratio;
         for (const Crossing& crossing : crossings) {

@@ -80,8 +80,8 @@ struct StableGains {
 /// Nothing for a loop that is unstable at every positive gain. The gains at which poles cross the unit circle
 /// are those of `crossings`, of the loop itself, and what L is at rest; between them the poles decide.
 std::optional<StableGains> stableGains(const DeltaSystem& openLoop, const std::vector<Crossing>& crossings);
-/// The margins of a loop with these stable gains: the gain margin of an unstable loop is the factor to its
-/// nearest stable gain, infinite without a frequency when there is none.
+/// The margins of a loop with these stable gains. An unstable loop has the factor to its nearest stable gain,
+/// infinite without a frequency when there is none, and a delay margin of 0.
 StabilityMargins withStableGains(StabilityMargins margins, const std::vector<Crossing>& crossings,
                                  const std::optional<StableGains>& gains);
 

@@ -217,8 +217,8 @@ Result<NyquistResult> walkAlong(const Contour& contour) {
     }
     if (walk.touchesMinusOne()) {
         return failure(ErrorCode::Refused,
-                       "the Nyquist curve runs through -1: the loop is on the limit of stability",
-                       "change the gain a little");
+                       "the Nyquist curve passes through -1: the loop is at the stability limit",
+                       "change the gain slightly");
     }
     // The half contour turns 1 + L by pi for each encirclement of the whole one.
     result.encirclements = static_cast<int>(std::lround(walk.turn_rad() / Pi));
@@ -252,8 +252,8 @@ Result<NyquistResult> nyquist(const DeadTimeSystem& openLoop) {
         contourOf(openLoop.rational(), scanLoop(openLoop), [&openLoop](Complex s) { return openLoop.at(s); });
     if (std::abs(*contour.atInfinity) >= 1.0 || std::abs(contour.scan.value.back()) >= 1.0) {
         return failure(ErrorCode::InvalidInput,
-                       "behind a dead time this loop does not fall below 1 at high frequency",
-                       "add the filter or the actuator that every real system has");
+                       "with dead time the gain of this loop must fall below 1 at high frequency",
+                       "add the filter or actuator of the real system");
     }
     contour.atInfinity =
         0.0; // far to the right the dead time extinguishes L, and 1 + L never leaves that half

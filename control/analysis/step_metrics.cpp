@@ -48,10 +48,10 @@ Result<void> check(std::span<const double> time_s, std::span<const double> respo
     if (!std::all_of(time_s.begin(), time_s.end(), isFinite) ||
         !std::all_of(response.begin(), response.end(), isFinite) || !std::isfinite(from) ||
         !std::isfinite(to)) {
-        return failure(ErrorCode::NotFinite, "the step response holds a value that is not finite");
+        return failure(ErrorCode::NotFinite, "the step response contains a value that is not finite");
     }
     if (from == to) {
-        return failure(ErrorCode::InvalidInput, "the step has no height");
+        return failure(ErrorCode::InvalidInput, "the step height is zero");
     }
     if (!std::is_sorted(time_s.begin(), time_s.end())) {
         return failure(ErrorCode::InvalidInput, "the times of the step response are not ascending");

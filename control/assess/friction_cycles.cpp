@@ -4,7 +4,7 @@
 #include "control/base/assert.h"
 #include "control/base/units.h"
 #include "control/law/board_gains.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 #include "control/lti/frequency_response.h"
 
 #include <algorithm>
@@ -91,7 +91,7 @@ Result<std::vector<LimitCycle>> frictionCycles(const PositionPlant& plant, const
     if (!board) {
         return failure(board.error());
     }
-    ShapedLaw law;
+    FilteredLaw law;
     law.gains = *board;
     const auto controller = deltaController(law, timing.period_s);
     return controller ? frictionCycles(plant, *controller, timing, currentLimit_A)

@@ -1,6 +1,6 @@
 #include "control/assess/loop_motion.h"
 
-#include "control/law/held_rotor.h"
+#include "control/law/sampled_axis.h"
 
 #include <fmt/format.h>
 
@@ -52,8 +52,7 @@ Result<LoopMotion> loopMotion(const PositionPlant& plant, SampledLaw law, const 
         motion.current_A.push_back(current_A);
         state = advance(plant, state, current_A + cause.load_A, interval_s);
         if (!std::isfinite(state.angle_rad)) {
-            return failure(ErrorCode::Refused,
-                           "the step response of this unstable loop grows beyond all numbers");
+            return failure(ErrorCode::Refused, "the step response of this unstable loop overflows");
         }
     }
     return motion;

@@ -98,6 +98,9 @@ double incompleteBeta(double a, double b, double x) {
 
 double studentTwoSided(double value, double freedom) {
     HB_ASSERT(freedom > 0.0);
+    if (std::isinf(freedom)) {
+        return std::erfc(std::fabs(value) / std::sqrt(2.0));
+    }
     return incompleteBeta(0.5 * freedom, 0.5, freedom / (freedom + value * value));
 }
 

@@ -10,7 +10,7 @@ namespace halbench::control {
 double incompleteBeta(double a, double b, double x);
 
 /// P(|t| <= value) complement: probability that Student's t with `freedom` > 0 degrees exceeds |value| on
-/// either side.
+/// either side; with infinite freedom the normal distribution.
 double studentTwoSided(double value, double freedom);
 
 /// t with P(T <= t) = probability, 0 < probability < 1; e.g. 0.975 and 11 degrees: 2.201.

@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace halbench {
@@ -38,6 +40,23 @@ struct SampleBlock {
 };
 
 using SampleBlockPtr = std::shared_ptr<const SampleBlock>;
+
+/// A block on another time axis, e.g. that of a window in which several streams follow each other. The block
+/// itself is shared and stays as it came.
+struct TimedBlock {
+    TimedBlock() = default;
+    TimedBlock(SampleBlockPtr rows, double later_s = 0.0) : block(std::move(rows)), shift_s(later_s) {}
+
+    SampleBlockPtr block;
+    double shift_s = 0.0; ///< of the axis from the block's own times
+
+    std::size_t rows() const { return block->rows(); }
+    double time_s(std::size_t row) const { return block->time_s[row] + shift_s; }
+    double begin_s() const { return time_s(0); }
+    double end_s() const { return time_s(rows() - 1); }
+};
+
+using TimedBlockSink = std::function<void(const TimedBlock&)>;
 
 /// A finished recording held in memory: concatenated blocks of one layout.
 struct Recording {

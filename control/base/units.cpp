@@ -24,6 +24,7 @@ constexpr std::array Table = {
     Unit{"T/A", "T_per_A", "stray field per current"},
     Unit{"degC", "degC", "temperature"},
     Unit{"K", "K", "temperature difference"},
+    Unit{"1/K", "per_K", "temperature coefficient"},
     Unit{"N*m", "Nm", "torque"},
     Unit{"N*m/A", "Nm_per_A", "torque constant"},
     Unit{"N*m*s/rad", "Nms_per_rad", "viscous damping"},

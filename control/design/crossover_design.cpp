@@ -2,7 +2,7 @@
 
 #include "control/analysis/margins.h"
 #include "control/base/units.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +27,8 @@ PidGains times(PidGains gains, double factor) {
 }
 
 Result<DeltaSystem> openLoop(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
-                             const ShapedLaw& around) {
-    ShapedLaw law;
+                             const FilteredLaw& around) {
+    FilteredLaw law;
     law.gains = gains;
     law.gains.filter_s = around.gains.filter_s;
     law.filters = around.filters;
@@ -36,7 +36,7 @@ Result<DeltaSystem> openLoop(const PositionPlant& plant, const LoopTiming& timin
 }
 
 bool isStable(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
-              const ShapedLaw& around) {
+              const FilteredLaw& around) {
     const auto loop = openLoop(plant, timing, gains, around);
     return loop && isStableClosed(*loop, 1.0);
 }
@@ -45,7 +45,7 @@ bool isStable(const PositionPlant& plant, const LoopTiming& timing, const PidGai
 struct Surroundings {
     const PositionPlant& plant;
     const LoopTiming& timing;
-    const ShapedLaw& around;
+    const FilteredLaw& around;
 };
 
 /// Two equations leave K_D of a PI loop at some rounding of zero.
@@ -190,7 +190,7 @@ double fastestCrossover_rad_s(const LoopTiming& timing) {
 }
 
 PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, const CrossoverAim& aim,
-                          const ShapedLaw& around) {
+                          const FilteredLaw& around) {
     using Complex = std::complex<double>;
     const double T = timing.period_s;
     const Complex z = std::polar(1.0, aim.crossover_rad_s * T);
@@ -217,7 +217,7 @@ PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, 
 }
 
 std::optional<CrossoverAim> crossoverAimOf(const PositionPlant& plant, const LoopTiming& timing,
-                                           const PidGains& gains, const ShapedLaw& around) {
+                                           const PidGains& gains, const FilteredLaw& around) {
     const auto loop = openLoop(plant, timing, gains, around);
     if (!loop || !(gains.proportional > 0.0)) {
         return std::nullopt;
@@ -232,10 +232,10 @@ std::optional<CrossoverAim> crossoverAimOf(const PositionPlant& plant, const Loo
 
 Result<CrossoverDesign> designCrossover(const PositionPlant& plant, const LoopTiming& timing,
                                         const CrossoverAim& wanted, CrossoverPriority priority,
-                                        const ShapedLaw& around) {
+                                        const FilteredLaw& around) {
     const auto filters = filtersInSeries(around.filters, timing.period_s);
-    const Result<void> shaped = filters ? Result<void>() : failure(filters.error());
-    for (const auto& valid : {checkPlant(plant), checkTiming(timing), shaped}) {
+    const Result<void> filtered = filters ? Result<void>() : failure(filters.error());
+    for (const auto& valid : {checkPlant(plant), checkTiming(timing), filtered}) {
         if (!valid) {
             return failure(valid.error());
         }
@@ -256,14 +256,14 @@ Result<CrossoverDesign> designCrossover(const PositionPlant& plant, const LoopTi
         reached = Search(loop, aim, true).nearest();
     }
     if (!reached) {
-        return failure(ErrorCode::Refused, "no crossover makes a stable position loop of this motor",
+        return failure(ErrorCode::Refused, "no crossover gives a stable position loop for this motor",
                        "identify the motor again, or choose a design method");
     }
     return CrossoverDesign{AtCrossover(loop, *reached).gains(reached->phaseMargin_deg), *reached, limit};
 }
 
 double stableFactor(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
-                    double factor, const ShapedLaw& around) {
+                    double factor, const FilteredLaw& around) {
     if (isStable(plant, timing, times(gains, factor), around) || !isStable(plant, timing, gains, around)) {
         return factor;
     }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "control/base/result.h"
+#include "control/law/filtered_law.h"
 #include "control/law/position_loop.h"
-#include "control/law/shaped_law.h"
 
 #include <optional>
 
@@ -23,11 +23,11 @@ struct CrossoverAim {
 /// Gains that put the sampled, delayed loop on the unit circle at the crossover with that margin, whatever
 /// comes of it: they may be negative, and the loop unstable. Two real equations for K_P and K_D.
 PidGains gainsAtCrossover(const PositionPlant& plant, const LoopTiming& timing, const CrossoverAim& aim,
-                          const ShapedLaw& around = {});
+                          const FilteredLaw& around = {});
 
 /// The aim that leads back to these gains. Nothing for a loop that does not cross, or without K_P.
 std::optional<CrossoverAim> crossoverAimOf(const PositionPlant& plant, const LoopTiming& timing,
-                                           const PidGains& gains, const ShapedLaw& around = {});
+                                           const PidGains& gains, const FilteredLaw& around = {});
 
 /// Why an aim is not taken as it is.
 enum class CrossoverLimit {
@@ -69,11 +69,11 @@ double fastestCrossover_rad_s(const LoopTiming& timing);
 /// at all is possible); of `around`.
 Result<CrossoverDesign> designCrossover(const PositionPlant& plant, const LoopTiming& timing,
                                         const CrossoverAim& wanted, CrossoverPriority priority,
-                                        const ShapedLaw& around = {});
+                                        const FilteredLaw& around = {});
 
 /// The factor on all gains nearest to `factor` that keeps the loop stable, towards 1. Gains of a loop that is
 /// unstable now are not bounded.
 double stableFactor(const PositionPlant& plant, const LoopTiming& timing, const PidGains& gains,
-                    double factor, const ShapedLaw& around = {});
+                    double factor, const FilteredLaw& around = {});
 
 } // namespace halbench::control

@@ -27,7 +27,7 @@ struct LoopShape {
 };
 constexpr double ShapePeriod_s = 0.01;
 
-PidGains shapedGains(const PositionPlant& plant, double speedRatio) {
+PidGains filteredGains(const PositionPlant& plant, double speedRatio) {
     const LoopShape shape;
     const double k = plant.accelerationGain_rad_s2_A;
     PidGains gains;
@@ -84,10 +84,10 @@ Result<PositionLaw> designRecommended(const PositionPlant& plant, const LoopTimi
     constexpr double LeastPhaseMargin_deg = 35.0;
     const double fullSpeed = ShapePeriod_s / timing.period_s;
     const double speed = largestFine(0.01 * fullSpeed, fullSpeed, [&](double ratio) {
-        const Quality quality = judge(plant, shapedGains(plant, ratio), timing);
+        const Quality quality = judge(plant, filteredGains(plant, ratio), timing);
         return quality.isStable && quality.margins.phaseMargin_deg >= LeastPhaseMargin_deg;
     });
-    return withFeedForward(shapedGains(plant, speed), plant);
+    return withFeedForward(filteredGains(plant, speed), plant);
 }
 
 /// alpha = c/J - 2 zeta w, K_P = (w^2 + 2 zeta w alpha)/k, K_I = alpha w^2/k (htm-theory.md 3.6).
@@ -99,8 +99,8 @@ Result<PositionLaw> designPolePlacement(const PositionPlant& plant, const LoopTi
     if (alpha_1_s < 0.0) {
         return failure(
             ErrorCode::OutOfRange,
-            fmt::format("zeta = {:.4g} at {:.4g} rad/s is out of reach of a PI position loop on this motor: "
-                        "zeta <= c/(2 J omega) = {:.4g}",
+            fmt::format("zeta = {:.4g} at {:.4g} rad/s cannot be reached with a PI position loop on this "
+                        "motor: zeta <= c/(2 J omega) = {:.4g}",
                         zeta, omega_rad_s, plant.dampingRate_1_s / (2.0 * omega_rad_s)),
             "lower zeta or omega, or use method bandwidth or phase-margin, which add derivative action");
     }
@@ -121,11 +121,11 @@ Result<PositionLaw> designBandwidth(const PositionPlant& plant, const LoopTiming
     const double fullSpeed = ShapePeriod_s / timing.period_s;
     const double slowest = 0.005 * fullSpeed;
     const double fastest = largestFine(slowest, 2.0 * fullSpeed, [&](double ratio) {
-        const Quality quality = judge(plant, shapedGains(plant, ratio), timing);
+        const Quality quality = judge(plant, filteredGains(plant, ratio), timing);
         return quality.isStable && quality.margins.phaseMargin_deg >= LeastPhaseMargin_deg;
     });
     const auto bandwidth_Hz = [&](double ratio) {
-        return judge(plant, shapedGains(plant, ratio), timing).bandwidth_rad_s / (2.0 * Pi);
+        return judge(plant, filteredGains(plant, ratio), timing).bandwidth_rad_s / (2.0 * Pi);
     };
     const double least_Hz = bandwidth_Hz(slowest);
     const double most_Hz = bandwidth_Hz(fastest);
@@ -139,7 +139,7 @@ Result<PositionLaw> designBandwidth(const PositionPlant& plant, const LoopTiming
     }
     const double speed = largestFine(
         slowest, fastest, [&](double ratio) { return bandwidth_Hz(ratio) <= *targets.bandwidth_Hz; });
-    return withFeedForward(shapedGains(plant, speed), plant);
+    return withFeedForward(filteredGains(plant, speed), plant);
 }
 
 /// K_I/K_P over the crossover of the recommended shape (htm-theory.md 8.4).
@@ -188,7 +188,7 @@ Result<PositionLaw> designForMargin(const PositionPlant& plant, const LoopTiming
                         "of 2{}",
                         aim.phaseMargin_deg,
                         targets.omega_rad_s ? fmt::format(" at {:.4g} rad/s", *targets.omega_rad_s) : ""),
-            "ask for 30 to 60 deg, or leave the crossover to the program");
+            "use 30 to 60 deg, or omit the crossover");
     }
     return withFeedForward(*gains, plant);
 }
@@ -242,8 +242,8 @@ bool isFilter(std::string_view name) {
 Result<DesignMethod> findMethod(std::string_view name) {
     if (isFilter(name)) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("the law on the board has no stage for a {} filter", name),
-                       "a resonance or noise is avoided by a lower crossover: method bandwidth, or lead");
+                       fmt::format("the device's control law has no {} filter", name),
+                       "use a lower crossover against resonance or noise: method bandwidth, or lead");
     }
     std::string known;
     for (const DesignMethod& method : designMethods()) {
@@ -260,30 +260,30 @@ Result<DesignMethod> findMethod(std::string_view name) {
 
 const std::vector<DesignMethod>& designMethods() {
     static const std::vector<DesignMethod> methods = {
-        {"recommended", "", "recommended by the program for this motor"},
-        {"pole-placement", "zeta, omega-rad-s", "PI with the asked dominant pair, as far as the motor damps"},
-        {"bandwidth", "bandwidth-hz", "the recommended shape at the asked closed-loop bandwidth"},
-        {"phase-margin", "phase-margin-deg, omega-rad-s", "the stiffest loop with the asked phase margin"},
+        {"recommended", "", "recommended for this motor"},
+        {"pole-placement", "zeta, omega-rad-s",
+         "PI with the requested dominant pole pair, as far as the motor's damping allows"},
+        {"bandwidth", "bandwidth-hz", "recommended shape with the requested closed-loop bandwidth"},
+        {"phase-margin", "phase-margin-deg, omega-rad-s", "stiffest loop with the requested phase margin"},
         {"simc", "bandwidth-hz", "SIMC, the internal-model rule of Skogestad, for lag and dead time"},
-        {"lambda", "bandwidth-hz", "lambda tuning: the closed loop is a lag of the asked bandwidth, twice"},
+        {"lambda", "bandwidth-hz", "lambda tuning: closed loop as a double lag of the requested bandwidth"},
         {"ziegler-nichols", "ultimate-gain, ultimate-period",
-         "Ziegler and Nichols, PID, from where the loop swings; a lively starting point"},
+         "Ziegler and Nichols, PID, from ultimate gain and period; fast starting point"},
         {"ziegler-nichols-pi", "ultimate-gain, ultimate-period",
-         "Ziegler and Nichols, PI, from where the loop swings"},
+         "Ziegler and Nichols, PI, from ultimate gain and period"},
         {"ziegler-nichols-p", "ultimate-gain, ultimate-period",
-         "Ziegler and Nichols, P: half of the gain at which the loop swings"},
-        {"lqr", "omega-rad-s",
-         "linear-quadratic regulator, error and current weighed for the asked frequency"},
+         "Ziegler and Nichols, P: half of the ultimate gain"},
+        {"lqr", "omega-rad-s", "linear-quadratic regulator, weights for the requested frequency"},
         {"min-iae", "max-sensitivity, current-limit-a, step-deg",
-         "least integral of the absolute error after a load, with Ms and current within bounds"},
+         "minimum integral of the absolute error after a load step, with limits on Ms and current"},
         {"min-itae", "max-sensitivity, current-limit-a, step-deg",
-         "the same with the error weighed by time: what lasts is punished"},
-        {"lead", "phase-margin-deg, omega-rad-s", "PD, the lead of the board, with the asked phase margin"},
-        {"lag", "omega-rad-s", "PI, the lag of the board, through the asked crossover"},
+         "same with time-weighted error: penalises long-lasting errors"},
+        {"lead", "phase-margin-deg, omega-rad-s", "PD (lead) with the requested phase margin"},
+        {"lag", "omega-rad-s", "PI (lag) with the requested crossover"},
         {"published", "", "10 A/rad and 0.1 A/(rad s), as printed"},
-        {"designed", "", "zeta = 0.06 at 15 rad/s, as the source meant it"},
+        {"designed", "", "zeta = 0.06 at 15 rad/s, as intended by the source"},
         {"micro-step", "", "5 A/deg and 0.05 A/(deg s), for steps of a few tenths of a degree"},
-        {"published-degrees", "", "the printed numbers read per degree; large steps end in a limit cycle"}};
+        {"published-degrees", "", "printed numbers read per degree; large steps end in a limit cycle"}};
     return methods;
 }
 

@@ -149,22 +149,21 @@ Result<ProvenDesign> withinBounds(const LeastErrorProblem& problem, Result<Prove
     if (!design) {
         return design;
     }
-    const LeastErrorBounds use = boundsOf(design->proof, problem.targets, problem.currentLimit_A);
+    const LeastErrorBounds use = boundsOf(design->assessment, problem.targets, problem.currentLimit_A);
     if (use.sensitivity.value > BoundTolerance_ratio * use.sensitivity.bound) {
         return failure(
             ErrorCode::Refused,
-            fmt::format("no gains with a peak of sensitivity up to {:.4g} were found for this motor: "
-                        "the calmest loop has {:.4g}",
+            fmt::format("no gains with a sensitivity peak up to {:.4g} found for this motor; minimum: {:.4g}",
                         use.sensitivity.bound, use.sensitivity.value),
-            "allow a larger Ms, or shorten the computing delay");
+            "allow a larger Ms, or reduce the computing delay");
     }
     if (use.current && use.current->value > BoundTolerance_ratio * use.current->bound) {
-        return failure(
-            ErrorCode::Refused,
-            fmt::format("no gains that ask for {:.4g} A at most in a step of {:.4g} deg were found "
-                        "for this motor: {:.4g} A are needed",
-                        use.current->bound, radiansToDegrees(*problem.targets.step_rad), use.current->value),
-            "allow more current, or a smaller step");
+        return failure(ErrorCode::Refused,
+                       fmt::format("no gains with at most {:.4g} A in a step of {:.4g} deg found for this "
+                                   "motor; required: {:.4g} A",
+                                   use.current->bound, radiansToDegrees(*problem.targets.step_rad),
+                                   use.current->value),
+                       "allow more current, or a smaller step");
     }
     return design;
 }
@@ -176,12 +175,13 @@ bool BoundUse::isActive() const {
     return value >= Near_ratio * bound;
 }
 
-LeastErrorBounds boundsOf(const DesignProof& proof, const LeastErrorTargets& targets, double currentLimit_A) {
+LeastErrorBounds boundsOf(const LoopAssessment& assessment, const LeastErrorTargets& targets,
+                          double currentLimit_A) {
     LeastErrorBounds bounds;
-    bounds.sensitivity = {proof.peaks.Ms_ratio, targets.mostMs_ratio};
+    bounds.sensitivity = {assessment.peaks.Ms_ratio, targets.mostMs_ratio};
     if (targets.step_rad) {
         bounds.step_rad = *targets.step_rad;
-        bounds.current = BoundUse{proof.peakCurrent_A * *targets.step_rad, currentLimit_A};
+        bounds.current = BoundUse{assessment.peakCurrent_A * *targets.step_rad, currentLimit_A};
     }
     return bounds;
 }

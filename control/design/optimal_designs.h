@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control/assess/proof.h"
+#include "control/assess/loop_assessment.h"
 #include "control/base/result.h"
 #include "control/design/design_methods.h"
 
@@ -11,7 +11,7 @@ namespace halbench::control {
 
 struct ProvenDesign {
     PidGains gains; ///< parallel, per radian
-    DesignProof proof;
+    LoopAssessment assessment;
 };
 
 /// What the linear-quadratic regulator may spend (Bryson's rule: each weight is one over its square).
@@ -75,7 +75,8 @@ struct LeastErrorBounds {
     std::optional<BoundUse> current; ///< A, in a reference step of the next line
     double step_rad = 0.0;
 };
-LeastErrorBounds boundsOf(const DesignProof& proof, const LeastErrorTargets& targets, double currentLimit_A);
+LeastErrorBounds boundsOf(const LoopAssessment& assessment, const LeastErrorTargets& targets,
+                          double currentLimit_A);
 
 /// The measure itself, in rad s or rad s^2 per A of load, of the linear sampled loop over `duration_s`.
 Result<double> loadError(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing,

@@ -6,20 +6,19 @@ namespace halbench::control {
 
 Result<ProvenDesign> provenDesign(const PositionPlant& plant, const PidGains& gains, const LoopTiming& timing,
                                   double currentLimit_A) {
-    auto proof = proveDesign(plant, gains, timing, currentLimit_A);
-    if (!proof) {
-        return failure(proof.error());
+    auto assessment = assessDesign(plant, gains, timing, currentLimit_A);
+    if (!assessment) {
+        return failure(assessment.error());
     }
-    if (!proof->isStable) {
+    if (!assessment->isStable) {
         return failure(ErrorCode::Refused, "the design is unstable in the sampled loop",
-                       "ask for less speed, or shorten the computing delay");
+                       "use a slower target, or reduce the computing delay");
     }
-    return ProvenDesign{gains, std::move(*proof)};
+    return ProvenDesign{gains, std::move(*assessment)};
 }
 
 tl::unexpected<Error> impossibleTargets() {
-    return failure(ErrorCode::OutOfRange,
-                   "the targets of this design are not possible: they must be positive, Ms above 1");
+    return failure(ErrorCode::OutOfRange, "invalid design targets: they must be positive, Ms above 1");
 }
 
 } // namespace halbench::control

@@ -38,7 +38,7 @@ Result<PidGains> stableOnBoard(const RuleProblem& problem, const Result<PidGains
 Result<LaggedProcess> processOf(const RuleProblem& problem) {
     auto process = laggedProcess(problem.plant, problem.timing);
     if (!process) {
-        return failure(ErrorCode::OutOfRange, "this rule needs a motor that damps: its model has c/J = 0",
+        return failure(ErrorCode::OutOfRange, "this rule needs a motor with damping: c/J = 0 in its model",
                        "use method bandwidth, phase-margin or lqr");
     }
     process->deadTime_s += 0.5 * problem.timing.period_s;
@@ -59,7 +59,7 @@ Result<PidGains> designSimc(const RuleProblem& problem) {
         return failure(process.error());
     }
     return stableOnBoard(problem, simcGains(*process, closedTime_s(problem, process->deadTime_s)),
-                         "ask for a lower bandwidth");
+                         "use a lower bandwidth");
 }
 
 Result<PidGains> designLambda(const RuleProblem& problem) {
@@ -69,7 +69,7 @@ Result<PidGains> designLambda(const RuleProblem& problem) {
     }
     constexpr double UsualShare_ratio = 3.0; // lambda of three dead times: Ms of 1.6
     const double lambda_s = closedTime_s(problem, UsualShare_ratio * process->deadTime_s);
-    return stableOnBoard(problem, lambdaGains(*process, lambda_s), "ask for a lower bandwidth");
+    return stableOnBoard(problem, lambdaGains(*process, lambda_s), "use a lower bandwidth");
 }
 
 /// As it was measured, otherwise as the model says.
@@ -89,9 +89,8 @@ Result<PidGains> designZieglerNichols(const RuleProblem& problem, ControllerKind
     if (!ultimate) {
         return failure(ultimate.error());
     }
-    return stableOnBoard(
-        problem, zieglerNicholsGains(*ultimate, kind),
-        "this rule leaves little damping: use method recommended, bandwidth or phase-margin");
+    return stableOnBoard(problem, zieglerNicholsGains(*ultimate, kind),
+                         "this rule gives little damping: use method recommended, bandwidth or phase-margin");
 }
 
 /// Weights of error and current for the asked natural frequency: on k/s^2 alone it would be just that.
@@ -122,7 +121,7 @@ Result<PidGains> designLag(const RuleProblem& problem) {
     // Twice the motor's own corner: beyond it the phase that the motor leaves falls as a/w.
     const double crossover_rad_s = problem.targets.omega_rad_s.value_or(2.0 * problem.plant.dampingRate_1_s);
     if (crossover_rad_s <= 0.0) {
-        return failure(ErrorCode::OutOfRange, "this rule needs a motor that damps: its model has c/J = 0",
+        return failure(ErrorCode::OutOfRange, "this rule needs a motor with damping: c/J = 0 in its model",
                        "use method bandwidth, phase-margin or lqr");
     }
     PidGains gains;
@@ -135,7 +134,7 @@ Result<PidGains> designLag(const RuleProblem& problem) {
     const double scale = 1.0 / std::abs(loop->atFrequency(crossover_rad_s));
     gains.proportional *= scale;
     gains.integral *= scale;
-    return stableOnBoard(problem, gains, "ask for a lower crossover, or use method lead or phase-margin");
+    return stableOnBoard(problem, gains, "use a lower crossover, or method lead or phase-margin");
 }
 
 } // namespace

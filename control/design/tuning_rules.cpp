@@ -93,7 +93,7 @@ Result<UltimatePoint> ultimatePoint(const TransferFunction& plant) {
         }
     }
     return failure(ErrorCode::Refused,
-                   "this process never swings under proportional control: it has no ultimate gain",
+                   "this process does not oscillate under proportional control: no ultimate gain",
                    "use SIMC or pole placement");
 }
 
@@ -101,8 +101,9 @@ Result<UltimatePoint> ultimatePoint(double level, double hysteresis, double ampl
     const bool isExperiment = level > 0.0 && hysteresis >= 0.0 && amplitude > hysteresis && period_s > 0.0 &&
                               std::isfinite(level * amplitude * period_s);
     if (!isExperiment) {
-        return failure(ErrorCode::OutOfRange,
-                       "a relay experiment needs a level, a period and a swing beyond its hysteresis");
+        return failure(
+            ErrorCode::OutOfRange,
+            "a relay experiment needs a level, a period and an oscillation larger than its hysteresis");
     }
     return UltimatePoint{
         std::abs(relayGain(std::sqrt(amplitude * amplitude - hysteresis * hysteresis), level)), period_s};

@@ -66,11 +66,12 @@ std::size_t SampleChunk::pagedBytesFor(std::size_t columns) {
            columns * (sizeof(double) + sizeof(Moments) + UpperBytes);
 }
 
-void SampleChunk::add(std::span<const double> time_s, const double* values) {
+void SampleChunk::add(std::span<const double> time_s, std::span<const ColumnSource> columns,
+                      std::size_t firstRow) {
     HB_ASSERT(m_detail != nullptr && m_rows + time_s.size() <= Rows);
     std::copy(time_s.begin(), time_s.end(), m_detail->time_s.begin() + static_cast<std::ptrdiff_t>(m_rows));
     for (std::size_t column = 0; column < m_columns; ++column) {
-        addColumn(column, time_s.size(), values + column);
+        addColumn(column, time_s.size(), columns[column], firstRow);
     }
     const std::size_t formerRows = m_rows;
     m_rows += time_s.size();
@@ -82,11 +83,14 @@ void SampleChunk::add(std::span<const double> time_s, const double* values) {
     }
 }
 
-void SampleChunk::addColumn(std::size_t column, std::size_t rows, const double* values) {
+void SampleChunk::addColumn(std::size_t column, std::size_t rows, const ColumnSource& source,
+                            std::size_t firstRow) {
     double* kept = m_detail->values.data() + column * Rows + m_rows;
+    const double* values = source.values + firstRow * source.stride;
+    const std::size_t stride = source.stride;
     double& reference = m_references[column];
     for (std::size_t row = 0; row < rows; ++row) {
-        const double value = values[row * m_columns];
+        const double value = values[row * stride];
         kept[row] = std::isfinite(value) ? value : NaN;
         if (std::isnan(reference)) {
             reference = kept[row];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control/base/block_columns.h"
 #include "control/history/extremes.h"
 #include "control/history/page_cache.h"
 #include "control/signals/moments.h"
@@ -37,9 +38,9 @@ public:
     SampleChunk(const SampleChunk&) = delete;
     SampleChunk& operator=(const SampleChunk&) = delete;
 
-    /// `values`: row by row, as many in a row as there are columns; what is not finite is kept as NaN.
-    /// Precondition: no more than `Rows` rows in all.
-    void add(std::span<const double> time_s, const double* values);
+    /// Rows of `columns` from `firstRow` on; what is not finite is kept as NaN. Precondition: no more than
+    /// `Rows` rows in all.
+    void add(std::span<const double> time_s, std::span<const ColumnSource> columns, std::size_t firstRow);
 
     std::size_t rows() const { return m_rows; }
     bool isFull() const { return m_rows == Rows; }
@@ -81,7 +82,7 @@ private:
 
     const FloatExtremes* groups(std::size_t column, std::size_t level) const;
     bool isPageAtHand(std::size_t column, std::size_t level) const;
-    void addColumn(std::size_t column, std::size_t rows, const double* values);
+    void addColumn(std::size_t column, std::size_t rows, const ColumnSource& source, std::size_t firstRow);
     void closeGroups(std::size_t column, std::size_t formerRows);
     const double* values(std::size_t column) const;
     Moments momentsOf(std::size_t column, std::size_t begin, std::size_t end) const;

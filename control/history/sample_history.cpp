@@ -53,27 +53,32 @@ void SampleHistory::forget(const std::string& signal) {
     ++m_revision;
 }
 
-void SampleHistory::append(const SampleBlock& block) {
+void SampleHistory::append(const SampleBlock& block, const BlockColumns& columns) {
     m_lostRows += block.lostRows;
     if (block.layout == nullptr || block.layout->columns.empty() || block.rows() == 0) {
         return;
     }
+    m_time_s.resize(block.rows());
+    std::transform(block.time_s.begin(), block.time_s.end(), m_time_s.begin(),
+                   [&](double time_s) { return time_s + columns.shift_s; });
     bool isRestart = false;
-    Stream& stream = streamFor(block, isRestart);
+    Stream& stream = streamFor(columns.layout ? columns.layout : block.layout, isRestart);
     if (isRestart) {
         stream.offset_s = offsetFor(block, stream.period_s);
     }
-    addRows(stream, block, isRestart || block.lostRows > 0 || block.isBreak);
+    addRows(stream, columns.sources(block), isRestart || block.lostRows > 0 || block.isBreak);
     m_hostArrival_s = block.hostArrival_s;
     keepBudget();
     ++m_revision;
 }
 
-SampleHistory::Stream& SampleHistory::streamFor(const SampleBlock& block, bool& isRestart) {
+/// Of the rows in m_time_s.
+SampleHistory::Stream& SampleHistory::streamFor(const std::shared_ptr<const StreamLayout>& layout,
+                                                bool& isRestart) {
     // Where another stream had its signals in between, rows that go on in an older one would stand before
     // those.
-    const auto isNewest = [this](std::size_t number, const StreamLayout& layout) {
-        return std::all_of(layout.columns.begin(), layout.columns.end(), [&](const auto& column) {
+    const auto isNewest = [this](std::size_t number, const StreamLayout& held) {
+        return std::all_of(held.columns.begin(), held.columns.end(), [&](const auto& column) {
             const auto places = m_places.find(column.name);
             return places == m_places.end() || places->second.empty() ||
                    places->second.back().stream == number;
@@ -82,21 +87,19 @@ SampleHistory::Stream& SampleHistory::streamFor(const SampleBlock& block, bool& 
     for (auto it = m_streams.rbegin(); it != m_streams.rend(); ++it) {
         Stream& stream = it->second;
         const bool isLast = it == m_streams.rbegin();
-        const bool isSame =
-            stream.layout == block.layout || (isLast && isSameStream(*stream.layout, *block.layout));
+        const bool isSame = stream.layout == layout || (isLast && isSameStream(*stream.layout, *layout));
         if (isSame && isNewest(it->first, *stream.layout)) {
             const double newest_s = stream.track.time_s(stream.track.endRow() - 1) - stream.offset_s;
-            isRestart = stream.layout != block.layout || block.time_s.front() <= newest_s;
-            stream.layout = block.layout;
+            isRestart = stream.layout != layout || m_time_s.front() <= newest_s;
+            stream.layout = layout;
             return stream;
         }
     }
     isRestart = true;
     const std::size_t number = m_nextStream++;
-    registerColumns(*block.layout, number);
+    registerColumns(*layout, number);
     return m_streams
-        .emplace(number,
-                 Stream{block.layout, SampleTrack(block.layout->columns.size()), 0.0, block.layout->period_s})
+        .emplace(number, Stream{layout, SampleTrack(layout->columns.size()), 0.0, layout->period_s})
         .first->second;
 }
 
@@ -112,32 +115,31 @@ void SampleHistory::registerColumns(const StreamLayout& layout, std::size_t stre
 
 double SampleHistory::offsetFor(const SampleBlock& block, double period_s) const {
     const auto held = range();
-    if (!held || block.time_s.front() > held->end_s) {
+    if (!held || m_time_s.front() > held->end_s) {
         return 0.0; // the clock went on
     }
-    const double length_s = block.time_s.back() - block.time_s.front();
+    const double length_s = m_time_s.back() - m_time_s.front();
     const double waited_s = block.hostArrival_s - m_hostArrival_s - length_s;
-    return held->end_s + std::max(period_s, waited_s) - block.time_s.front();
+    return held->end_s + std::max(period_s, waited_s) - m_time_s.front();
 }
 
-void SampleHistory::addRows(Stream& stream, const SampleBlock& block, bool isAfterGap) {
-    const std::size_t width = block.layout->columns.size();
+/// Those in m_time_s.
+void SampleHistory::addRows(Stream& stream, std::span<const ColumnSource> columns, bool isAfterGap) {
     const double longest_s =
         stream.period_s > 0.0 ? GapPeriods * stream.period_s : std::numeric_limits<double>::infinity();
-    m_time_s.resize(block.rows());
-    std::transform(block.time_s.begin(), block.time_s.end(), m_time_s.begin(),
-                   [&](double time_s) { return time_s + stream.offset_s; });
+    for (double& time_s : m_time_s) {
+        time_s += stream.offset_s;
+    }
     const double before_s =
         stream.track.isEmpty() ? m_time_s.front() : stream.track.time_s(stream.track.endRow() - 1);
     if (isAfterGap || m_time_s.front() - before_s > longest_s) {
         stream.track.interrupt();
     }
     std::size_t begin = 0;
-    for (std::size_t row = 1; row <= block.rows(); ++row) { // a run for each stretch without a gap
-        const bool isEnd = row == block.rows();
+    for (std::size_t row = 1; row <= m_time_s.size(); ++row) { // a run for each stretch without a gap
+        const bool isEnd = row == m_time_s.size();
         if (isEnd || m_time_s[row] - m_time_s[row - 1] > longest_s) {
-            stream.track.add(std::span(m_time_s).subspan(begin, row - begin),
-                             block.values.data() + begin * width);
+            stream.track.add(std::span(m_time_s).subspan(begin, row - begin), columns, begin);
             begin = row;
             if (!isEnd) {
                 stream.track.interrupt();

@@ -86,7 +86,8 @@ public:
 
     /// Where the oldest rows go from now on; nullptr: nowhere. Forgets everything.
     void setStore(std::shared_ptr<PageStore> store);
-    void append(const SampleBlock& block);
+    /// `columns`: what is written for it beside its own values.
+    void append(const SampleBlock& block, const BlockColumns& columns = {});
     void clear();
     /// The samples of one signal go, e.g. because its name now means something else; the others stay.
     void forget(const std::string& signal);
@@ -159,10 +160,10 @@ private:
         std::vector<std::uint64_t> rows;
     };
 
-    Stream& streamFor(const SampleBlock& block, bool& isRestart);
+    Stream& streamFor(const std::shared_ptr<const StreamLayout>& layout, bool& isRestart);
     void registerColumns(const StreamLayout& layout, std::size_t stream);
     double offsetFor(const SampleBlock& block, double period_s) const;
-    void addRows(Stream& stream, const SampleBlock& block, bool isAfterGap);
+    void addRows(Stream& stream, std::span<const ColumnSource> columns, bool isAfterGap);
     void keepBudget();
     void putOldest();
     bool dropOldest(bool isPagedOnly);
@@ -181,7 +182,7 @@ private:
     std::map<std::string, std::vector<Place>> m_places;
     std::map<std::size_t, Stream> m_streams; ///< by number, in the order of time
     std::size_t m_nextStream = 0;
-    std::vector<double> m_time_s; ///< of the block that is being added
+    std::vector<double> m_time_s; ///< of the rows that are being added
     mutable Edges m_edges;
 };
 

@@ -7,7 +7,8 @@ namespace halbench::control {
 
 SampleTrack::SampleTrack(std::size_t columns) : m_columns(columns) {}
 
-void SampleTrack::add(std::span<const double> time_s, const double* values) {
+void SampleTrack::add(std::span<const double> time_s, std::span<const ColumnSource> columns,
+                      std::size_t firstRow) {
     constexpr std::uint64_t Group = std::uint64_t{1} << (2 * (SampleChunk::Levels + 1));
     while (!time_s.empty()) {
         if (m_endRow % SampleChunk::Rows == 0) {
@@ -15,10 +16,10 @@ void SampleTrack::add(std::span<const double> time_s, const double* values) {
             m_begins_s.push_back(time_s.front());
         }
         const std::size_t rows = std::min(time_s.size(), static_cast<std::size_t>(Group - m_endRow % Group));
-        m_chunks.back()->add(time_s.first(rows), values);
+        m_chunks.back()->add(time_s.first(rows), columns, firstRow);
         m_endRow += rows;
         time_s = time_s.subspan(rows);
-        values += rows * m_columns;
+        firstRow += rows;
         if (m_endRow % Group == 0) {
             closeUpperGroups();
         }

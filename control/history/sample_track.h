@@ -19,8 +19,8 @@ class SampleTrack {
 public:
     explicit SampleTrack(std::size_t columns);
 
-    /// `values`: row by row, what is not finite counts as NaN.
-    void add(std::span<const double> time_s, const double* values);
+    /// Rows of `columns` from `firstRow` on; what is not finite counts as NaN.
+    void add(std::span<const double> time_s, std::span<const ColumnSource> columns, std::size_t firstRow = 0);
     /// Something is missing before the row that comes next.
     void interrupt() { m_gaps.push_back(m_endRow); }
     void dropOldestChunk();

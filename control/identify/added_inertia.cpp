@@ -66,9 +66,10 @@ Result<AddedInertiaEstimate> inertiaFromAdded(const MountingRatios& bare, const 
     const double inertia = inertiaOf(bare.values(TorquePlace), loaded.values(TorquePlace), added_kg_m2);
     constexpr double WorstError_ratio = 0.3;
     if (!(inertia > 0.0) || !(std::sqrt(variance) < WorstError_ratio * inertia)) {
-        return failure(ErrorCode::Refused, "the added inertia does not show above the errors of both runs",
-                       "fix a larger known inertia to the rotor, about as large as the rotor's own, and "
-                       "check that the first run was made without it");
+        return failure(ErrorCode::Refused,
+                       "the added inertia is not significant compared with the errors of both runs",
+                       "fix a larger known inertia to the rotor, about equal to the rotor's own; the first "
+                       "run must be without it");
     }
     AddedInertiaEstimate result;
     double share = 0.0;

@@ -48,8 +48,7 @@ Result<LackOfFit> testLackOfFit(std::span<const double> levels, std::span<const 
     test.pureFreedom = static_cast<int>(levels.size()) - groups;
     test.lackFreedom = groups - parameters;
     if (test.pureFreedom < 1 || test.lackFreedom < 1) {
-        return failure(ErrorCode::Refused, "no repeated points to judge the model by",
-                       "visit some currents twice");
+        return failure(ErrorCode::Refused, "no repeated points to check the model", "repeat some currents");
     }
     double total = 0.0;
     for (const double residual : residuals) {

@@ -23,9 +23,9 @@ Result<Layout> layoutOf(const std::vector<SegmentBalance>& balances) {
     const bool hasTwoCurrents = high->current_A - low->current_A > SameCurrent_A;
     if (!hasTwoCurrents && std::fabs(high->current_A) > SameCurrent_A) {
         return failure(ErrorCode::Refused,
-                       "all motion that could be used was under one current (coast-downs are missing or too "
-                       "short): torque and friction cannot be told apart",
-                       "spin faster before the coast-down, or add a second current");
+                       "all usable motion is at one current (coast-downs missing or too short): torque and "
+                       "friction cannot be separated",
+                       "use a higher speed before the coast-down, or add a second current");
     }
     Layout layout;
     layout.torque = hasTwoCurrents ? layout.count++ : -1;

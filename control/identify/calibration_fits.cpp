@@ -49,7 +49,7 @@ Result<StrayFit> fitStray(std::span<const StrayRecord> records) {
     const Eigen::MatrixXd design = Eigen::Map<const Eigen::VectorXd>(current.data(), rows);
     const auto fit = fitLinear(design, Eigen::Map<const Eigen::VectorXd>(field.data(), rows));
     if (!fit) {
-        return failure(ErrorCode::Refused, "the d-axis current does not change", "step it to both signs");
+        return failure(ErrorCode::Refused, "the d-axis current does not change", "step it with both signs");
     }
     StrayFit result;
     result.coefficient_T_per_A = fit->coefficients(0);
@@ -65,7 +65,7 @@ Result<Breakaway> findBreakaway(std::span<const double> time_s, std::span<const 
     HB_ASSERT(time_s.size() == angle_rad.size() && time_s.size() == current_A.size());
     constexpr std::size_t RestSamples = 10;
     if (time_s.size() < 2 * RestSamples) {
-        return failure(ErrorCode::Refused, "the ramp is too short", "record it from its start");
+        return failure(ErrorCode::Refused, "the ramp is too short", "record from the start of the ramp");
     }
     const double rest = mean(angle_rad.subspan(0, RestSamples));
     std::vector<double> travel;
@@ -83,8 +83,8 @@ Result<Breakaway> findBreakaway(std::span<const double> time_s, std::span<const 
         }
     }
     if (moving == time_s.size() || moving <= RestSamples) {
-        return failure(ErrorCode::Refused, "the rotor did not break loose during the ramp",
-                       "ramp to a higher current, from rest");
+        return failure(ErrorCode::Refused, "the rotor did not break away during the ramp",
+                       "use a higher current, from rest");
     }
     double best_s = time_s[moving];
     double least = -1.0;

@@ -23,7 +23,7 @@ struct Conic {
 };
 
 Result<Conic> refuse(const char* message) {
-    return failure(ErrorCode::Refused, message, "turn the rotor through several whole turns");
+    return failure(ErrorCode::Refused, message, "turn the rotor by several full turns");
 }
 
 Result<Conic> fitConic(std::span<const double> a, std::span<const double> b) {
@@ -122,8 +122,8 @@ Result<HallEllipseFit> fitHallEllipse(std::span<const double> a_T, std::span<con
         }
     }
     if (!goesRound(*all, a_T, b_T) || parts.size() < Parts / 2) {
-        return failure(ErrorCode::Refused, "parts of the record do not go round",
-                       "turn the rotor through several whole turns");
+        return failure(ErrorCode::Refused, "parts of the recording do not cover a full turn",
+                       "turn the rotor by several full turns");
     }
     result.parts = static_cast<int>(parts.size());
     for (const auto member : members()) {

@@ -25,11 +25,11 @@ Result<void> check(const ExcitedRows& rows) {
     const std::size_t count = rows.reference.size();
     if (rows.rowsPerPeriod < 2 || count != rows.input.size() || count != rows.output.size() ||
         count % rows.rowsPerPeriod != 0 || !(rows.period_s > 0.0) || rows.lines.empty()) {
-        return failure(ErrorCode::InvalidInput, "the excited rows are not whole periods of three signals");
+        return failure(ErrorCode::InvalidInput, "the excited rows are not complete periods of three signals");
     }
     if (periodsOf(rows) < FewestPeriods) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("{} periods say too little of the scatter", periodsOf(rows)),
+                       fmt::format("{} periods are too few to estimate the scatter", periodsOf(rows)),
                        fmt::format("measure at least {}", FewestPeriods));
     }
     for (std::size_t i = 0; i < rows.lines.size(); ++i) {
@@ -41,8 +41,8 @@ Result<void> check(const ExcitedRows& rows) {
     }
     for (const auto& signal : {rows.reference, rows.input, rows.output}) {
         if (!std::all_of(signal.begin(), signal.end(), [](double value) { return std::isfinite(value); })) {
-            return failure(ErrorCode::NotFinite, "an excited row holds no number",
-                           "look for gaps or faults in the recording");
+            return failure(ErrorCode::NotFinite, "an excited row contains a value that is not a number",
+                           "check the recording for gaps or faults");
         }
     }
     return {};
@@ -149,7 +149,7 @@ Result<std::vector<PlantPoint>> estimatePlant(const ExcitedRows& rows) {
         const Complex Sur = c.R.dot(c.U);
         if (Sur == 0.0) {
             return failure(ErrorCode::Refused, "the excitation did not reach the plant",
-                           "check that the reference generator ran");
+                           "check that the reference generator was running");
         }
         PlantPoint point;
         point.frequency_rad_s = 2.0 * Pi * line / (rows.period_s * static_cast<double>(rows.rowsPerPeriod));

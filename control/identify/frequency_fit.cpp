@@ -89,20 +89,21 @@ FrequencyFit resultOf(const Step& step, std::size_t points, double lag_s, double
 
 } // namespace
 
-std::complex<double> heldRotorResponse(const HeldRotor& rotor, double period_s, double frequency_rad_s) {
+std::complex<double> sampledPlantResponse(const SampledPlantModel& rotor, double period_s,
+                                          double frequency_rad_s) {
     return rotor.feedthrough_rad_per_A + rotor.accelerationGain_rad_s2_A * shape(rotor.dampingRate_1_s,
                                                                                  rotor.lag_s, period_s,
                                                                                  frequency_rad_s);
 }
 
-Result<FrequencyFit> fitHeldRotor(std::span<const PlantPoint> points, double period_s, double lag_s,
-                                  double gainError_ratio) {
+Result<FrequencyFit> fitSampledPlant(std::span<const PlantPoint> points, double period_s, double lag_s,
+                                     double gainError_ratio) {
     constexpr std::size_t FewestPoints = 5;
     const bool isScattered =
         std::all_of(points.begin(), points.end(), [](const PlantPoint& point) { return point.radius > 0.0; });
     if (points.size() < FewestPoints || !isScattered) {
         return failure(ErrorCode::Refused, "too few usable frequencies for a fit of the rotor",
-                       "measure more frequencies, or with more excitation");
+                       "measure more frequencies, or with a larger amplitude");
     }
     constexpr int MostSteps = 50;
     constexpr double Converged_ratio = 1e-9;
@@ -124,8 +125,8 @@ Result<FrequencyFit> fitHeldRotor(std::span<const PlantPoint> points, double per
         const double lowest_1_s = -0.5 * points.front().frequency_rad_s;
         damping_1_s = std::max(damping_1_s + change_1_s, lowest_1_s);
     }
-    return failure(ErrorCode::Refused, "the measured response is not that of a rotor",
-                   "look at its points; an angle error or a resonance may be in it");
+    return failure(ErrorCode::Refused, "the measured response does not match a rotor",
+                   "check its points for an angle error or a resonance");
 }
 
 } // namespace halbench::control

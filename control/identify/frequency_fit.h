@@ -11,7 +11,7 @@ namespace halbench::control {
 /// A rotor under held current as the loop sees it: psi'' + a psi' = k i, the current behind its command by a
 /// lag of first order, and an angle that the current itself shifts at once (what the compensation of the
 /// coils' stray field leaves).
-struct HeldRotor {
+struct SampledPlantModel {
     double dampingRate_1_s = 0.0;           ///< a = c/J
     double accelerationGain_rad_s2_A = 0.0; ///< k = phi/J
     double lag_s = 0.0;
@@ -23,7 +23,8 @@ struct HeldRotor {
 ///     G = kappa + (1 - e^(-j w T))/T sum_n k / ((j w_n)^2 (j w_n + a)(1 + lag j w_n)),   w_n = w + 2 pi n/T
 ///
 /// with 401 of them: 1e-6 of the value, or better. 0 < w <= pi/T.
-std::complex<double> heldRotorResponse(const HeldRotor& rotor, double period_s, double frequency_rad_s);
+std::complex<double> sampledPlantResponse(const SampledPlantModel& rotor, double period_s,
+                                          double frequency_rad_s);
 
 struct FrequencyFit {
     Estimate dampingRate;      ///< c/J, 1/s
@@ -31,7 +32,7 @@ struct FrequencyFit {
     Estimate feedthrough;      ///< rad/A
     double misfit_ratio =
         0.0; ///< root of the mean square of residuals over what the points scatter; 1: as expected
-    HeldRotor rotor;
+    SampledPlantModel rotor;
     int points = 0;
 };
 
@@ -39,7 +40,7 @@ struct FrequencyFit {
 /// feed-through; `lag_s` is known. The intervals are widened when the points scatter more than they should.
 /// `gainError_ratio`: 95 % of the current's own scale, which no response can show; part of k's interval.
 /// Errors: Refused (fewer than five points, nothing to tell the three apart).
-Result<FrequencyFit> fitHeldRotor(std::span<const PlantPoint> points, double period_s, double lag_s,
-                                  double gainError_ratio);
+Result<FrequencyFit> fitSampledPlant(std::span<const PlantPoint> points, double period_s, double lag_s,
+                                     double gainError_ratio);
 
 } // namespace halbench::control

@@ -16,7 +16,7 @@ struct Problem {
     Eigen::MatrixXd design;
     Eigen::VectorXd speed;    // s omega
     Eigen::VectorXd variance; // of the measurement
-    Eigen::VectorXd shared;   // what one sigma of the shared error does to s omega
+    Eigen::MatrixXd shared;   // what one sigma of each shared error that there is does to s omega
     int forwardColumn = -1;
     int reverseColumn = -1;
 };
@@ -32,19 +32,27 @@ Result<Problem> makeProblem(std::span<const SteadyPoint> points) {
     problem.design = Eigen::MatrixXd::Zero(count, columns);
     problem.speed.resize(count);
     problem.variance.resize(count);
-    problem.shared.resize(count);
+    problem.shared = Eigen::MatrixXd::Zero(count, 2);
     for (Eigen::Index i = 0; i < count; ++i) {
         const SteadyPoint& point = points[static_cast<std::size_t>(i)];
         const double sign = isForward(point) ? 1.0 : -1.0;
         if (!(sign * point.speed_rad_s > 0.0)) {
-            return failure(ErrorCode::Refused, "a plateau stands still or turns against its current",
-                           "leave plateaus that stop out of the fit");
+            return failure(ErrorCode::Refused,
+                           "at one plateau the rotor stands still or turns against the current",
+                           "exclude plateaus that come to rest from the fit");
         }
         problem.design(i, 0) = std::fabs(point.current_A);
         problem.design(i, isForward(point) ? problem.forwardColumn : problem.reverseColumn) = 1.0;
         problem.speed(i) = sign * point.speed_rad_s;
         problem.variance(i) = point.speedError_rad_s * point.speedError_rad_s;
-        problem.shared(i) = sign * point.sharedError_rad_s;
+        problem.shared(i, 0) = sign * point.sharedError_rad_s;
+        problem.shared(i, 1) = sign * point.settingError_rad_s;
+    }
+    for (Eigen::Index k = problem.shared.cols() - 1; k >= 0; --k) {
+        if (problem.shared.col(k).isZero(0.0)) {
+            problem.shared.col(k) = problem.shared.rightCols(1).eval();
+            problem.shared.conservativeResize(count, problem.shared.cols() - 1);
+        }
     }
     return problem;
 }
@@ -74,24 +82,25 @@ Eigen::MatrixXd quantityJacobian(const Eigen::VectorXd& coefficients) {
 // The fit of slope and intercepts. A shared error is one more unknown, whose prior N(0, 1) is one more row;
 // it is taken off the speeds, and what is left of the fit is that of the points.
 Result<ScatterFit> fitPoints(Problem& problem) {
-    if (problem.shared.isZero(0.0)) {
+    const Eigen::Index errors = problem.shared.cols();
+    if (errors == 0) {
         return fitWithScatter(problem.design, problem.speed, problem.variance);
     }
     const Eigen::Index rows = problem.design.rows();
     const Eigen::Index columns = problem.design.cols();
-    Eigen::MatrixXd design = Eigen::MatrixXd::Zero(rows + 1, columns + 1);
-    design.topLeftCorner(rows, columns) = problem.design;
-    design.col(columns).head(rows) = problem.shared;
     constexpr double PriorScale = 1e3; // the points' scatter, which joins every row, is nothing beside it
-    design(rows, columns) = PriorScale;
-    Eigen::VectorXd speed(rows + 1);
-    speed << problem.speed, 0.0;
-    Eigen::VectorXd variance(rows + 1);
-    variance << problem.variance, PriorScale * PriorScale;
+    Eigen::MatrixXd design = Eigen::MatrixXd::Zero(rows + errors, columns + errors);
+    design.topLeftCorner(rows, columns) = problem.design;
+    design.topRightCorner(rows, errors) = problem.shared;
+    design.bottomRightCorner(errors, errors).diagonal().setConstant(PriorScale);
+    Eigen::VectorXd speed = Eigen::VectorXd::Zero(rows + errors);
+    speed.head(rows) = problem.speed;
+    Eigen::VectorXd variance(rows + errors);
+    variance << problem.variance, Eigen::VectorXd::Constant(errors, PriorScale * PriorScale);
     auto scatter = fitWithScatter(design, speed, variance);
     if (scatter) {
         LinearFit& fit = scatter->fit;
-        problem.speed -= fit.coefficients(columns) * problem.shared;
+        problem.speed -= problem.shared * fit.coefficients.tail(errors);
         fit.coefficients.conservativeResize(columns);
         fit.covariance.conservativeResize(columns, columns);
         fit.unscaled.conservativeResize(columns, columns);
@@ -183,11 +192,11 @@ Result<FrictionSweep> fitFrictionSweep(std::span<const SteadyPoint> points, std:
     }
     const LinearFit& fit = scatter->fit;
     if (fit.freedom < 1) {
-        return failure(ErrorCode::Refused, "too few plateaus to know their scatter",
-                       "visit at least three currents in one direction, four in both");
+        return failure(ErrorCode::Refused, "too few plateaus to estimate the scatter",
+                       "use at least three currents in one direction, or four in both");
     }
     if (!(fit.coefficients(0) > 0.0)) {
-        return failure(ErrorCode::Refused, "the speed does not grow with the current",
+        return failure(ErrorCode::Refused, "the speed does not increase with the current",
                        "check the sign of the current and that the plateaus are steady");
     }
     FrictionSweep sweep;

@@ -19,6 +19,8 @@ struct SteadyPoint {
     double speedError_rad_s = 0.0; ///< 1 sigma of the measurement alone
     /// 1 sigma of the one error that all points share, as it shifts this one (that of a correction, say).
     double sharedError_rad_s = 0.0;
+    /// The same of a second one that is independent of it (that of the currents' bow, say).
+    double settingError_rad_s = 0.0;
 };
 
 /// Result of the steady sweep. With s = +-1 the direction of motion:
@@ -45,11 +47,11 @@ struct FrictionSweep {
 
 /// Regression of speed on current: the current is known far better, the reverse regression would shrink the
 /// slope by R^2. Common slope for both directions, an intercept for each; weights from the measuring error
-/// plus the common run-to-run scatter; variances by the delta method. A shared error u e is one more
-/// unknown e with the prior N(0, 1); the second opinions see the speeds without it. Robust fit, bootstrap,
-/// leave-one-out, lack of fit and runs test stand beside it. Errors: NotFinite; Refused (fewer than three
-/// points more than directions, no different currents, speed not growing with current, a point at rest or
-/// against its current). Source: resources/help/identification.md section 2.
+/// plus the common run-to-run scatter; variances by the delta method. Each shared error u e is one more
+/// unknown e with the prior N(0, 1); the second opinions see the speeds without it. Robust fit,
+/// bootstrap, leave-one-out, lack of fit and runs test stand beside it. Errors: NotFinite; Refused (fewer
+/// than three points more than directions, no different currents, speed not growing with current, a point at
+/// rest or against its current). Source: resources/help/identification.md section 2.
 Result<FrictionSweep> fitFrictionSweep(std::span<const SteadyPoint> points, std::uint64_t seed);
 
 } // namespace halbench::control

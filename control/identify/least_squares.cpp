@@ -20,14 +20,14 @@ Result<void> checkProblem(const Eigen::MatrixXd& design, const Eigen::VectorXd& 
     HB_ASSERT(design.rows() == observed.size() && design.rows() == weights.size() && design.cols() > 0);
     if (!design.allFinite() || !observed.allFinite() || !weights.allFinite()) {
         return failure(ErrorCode::NotFinite, "a value of the fit is not a finite number",
-                       "look for gaps or faults in the recording");
+                       "check the recording for gaps or faults");
     }
     HB_ASSERT(weights.size() == 0 || weights.minCoeff() >= 0.0);
     if (usableRows(weights) < design.cols()) {
-        return failure(
-            ErrorCode::Refused,
-            fmt::format("{} usable points cannot decide {} coefficients", usableRows(weights), design.cols()),
-            "measure more points");
+        return failure(ErrorCode::Refused,
+                       fmt::format("{} usable points cannot determine {} coefficients", usableRows(weights),
+                                   design.cols()),
+                       "measure more points");
     }
     return {};
 }
@@ -52,8 +52,8 @@ Result<LinearFit> fitLinear(const Eigen::MatrixXd& design, const Eigen::VectorXd
     qr.setThreshold(RankTolerance);
     const Eigen::Index columns = design.cols();
     if (qr.rank() < columns) {
-        return failure(ErrorCode::Refused, "the points do not tell the coefficients apart",
-                       "visit more different currents, speeds or directions");
+        return failure(ErrorCode::Refused, "the points do not separate the coefficients",
+                       "use more different currents, speeds or directions");
     }
     LinearFit fit;
     fit.coefficients = scales.cwiseInverse().asDiagonal() * qr.solve(root.cwiseProduct(observed)).eval();

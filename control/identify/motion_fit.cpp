@@ -112,19 +112,20 @@ void addBalances(MotionFit& fit, std::span<const MotionSegment> segments, const 
 
 Result<void> checkSegments(std::span<const MotionSegment> segments) {
     if (segments.empty()) {
-        return failure(ErrorCode::Refused, "the recording holds no stretch of motion under constant current",
+        return failure(ErrorCode::Refused, "the recording has no motion under constant current",
                        "hold each current for a second or more, well above the breakaway current");
     }
     for (const MotionSegment& segment : segments) {
         HB_ASSERT(segment.time_s.size() == segment.angle_rad.size());
         HB_ASSERT(segment.direction == 1 || segment.direction == -1);
         if (segment.time_s.size() <= MotionLocalColumns) {
-            return failure(ErrorCode::Refused, "a stretch of motion has too few samples", "record faster");
+            return failure(ErrorCode::Refused, "a segment of the motion has too few samples",
+                           "record at a higher rate");
         }
         for (const double angle : segment.angle_rad) {
             if (!std::isfinite(angle)) {
                 return failure(ErrorCode::NotFinite, "an angle of the recording is not a number",
-                               "cut the damaged rows out");
+                               "remove the damaged rows");
             }
         }
     }
@@ -155,7 +156,7 @@ Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_
     }
     fit.damping_per_s = *damping;
     if (!std::isfinite(fit.damping_per_s)) {
-        return failure(ErrorCode::Refused, "the damping of the motion cannot be decided",
+        return failure(ErrorCode::Refused, "the damping cannot be determined from the motion",
                        "record run-ups and coast-downs over a wider range of speed");
     }
     const MotionSolution solution = solveMotion(segments, fit.damping_per_s, columns);
@@ -164,8 +165,8 @@ Result<MotionFit> fitOnce(std::span<const MotionSegment> segments, double start_
     const auto rows = static_cast<double>(solution.rest.size());
     const int unknowns = MotionLocalColumns * static_cast<int>(segments.size()) + columns.count() + 1;
     if (!(column.squaredNorm() > 0.0) || rows <= unknowns) {
-        return failure(ErrorCode::Refused, "the segments do not bend: the damping is undecided",
-                       "record run-ups and coast-downs, not only steady motion");
+        return failure(ErrorCode::Refused, "the segments have no curvature: damping undetermined",
+                       "record run-ups and coast-downs besides steady motion");
     }
     fit.angleOrders = columns.orders;
     const auto angleErrors = solution.global.head(2 * columns.orders);

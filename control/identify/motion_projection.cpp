@@ -126,13 +126,19 @@ Eigen::VectorXd dampingColumn(std::span<const MotionSegment> segments, const Mot
 
 Result<ClusterFit> fitClusters(const MotionSolution& solution, const Eigen::MatrixXd& columns) {
     const Eigen::Index count = columns.cols();
-    const Eigen::VectorXd scale = columns.colwise().norm().cwiseMax(1e-300).transpose();
+    const Eigen::VectorXd scale = columns.colwise().norm().transpose();
+    // A force that has faded at the speeds of the motion: its square, and all that follows, is no number.
+    constexpr double Faded_ratio = 1e-12;
+    if (!(scale.minCoeff() > Faded_ratio * scale.maxCoeff())) {
+        return failure(ErrorCode::Refused, "the motion does not separate the forces",
+                       "record run-ups and coast-downs over a wider range of speed");
+    }
     const Eigen::MatrixXd scaled = columns * scale.cwiseInverse().asDiagonal();
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(scaled);
     const Eigen::MatrixXd R = qr.matrixQR().topRows(count).triangularView<Eigen::Upper>();
     constexpr double SmallestRest = 1e-4; // of a column, that the others do not explain
     if (!(R.diagonal().cwiseAbs().minCoeff() > SmallestRest)) {
-        return failure(ErrorCode::Refused, "the motion does not tell the forces apart",
+        return failure(ErrorCode::Refused, "the motion does not separate the forces",
                        "record run-ups and coast-downs over a wider range of speed");
     }
     const Eigen::MatrixXd Q = qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), count);

@@ -19,12 +19,12 @@ Result<void> checkColumns(std::span<const double> time_s, std::span<const double
     }
     for (std::size_t i = 0; i < time_s.size(); ++i) {
         if (!std::isfinite(time_s[i]) || !std::isfinite(current_A[i])) {
-            return failure(ErrorCode::NotFinite, "the recording holds a value that is not a number",
-                           "cut the damaged rows out");
+            return failure(ErrorCode::NotFinite, "the recording contains a value that is not a number",
+                           "remove the damaged rows");
         }
         if (i > 0 && !(time_s[i] > time_s[i - 1])) {
             return failure(ErrorCode::InvalidInput, "the time of the recording does not increase",
-                           "sort the rows and remove doubles");
+                           "sort the rows and remove duplicates");
         }
     }
     return {};

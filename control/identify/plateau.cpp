@@ -32,7 +32,8 @@ double wholeTurns_s(std::span<const double> time_s, std::span<const double> angl
 Result<PlateauSpeed> fitPlateauSpeed(std::span<const double> time_s, std::span<const double> angle_rad) {
     HB_ASSERT(time_s.size() == angle_rad.size());
     if (time_s.size() < 3 || !(time_s.back() > time_s.front())) {
-        return failure(ErrorCode::Refused, "a plateau has fewer than three samples", "dwell longer");
+        return failure(ErrorCode::Refused, "a plateau has fewer than three samples",
+                       "use a longer plateau time");
     }
     const double middle_s = mean(time_s);
     const double middle_rad = mean(angle_rad);
@@ -52,7 +53,7 @@ Result<PlateauSpeed> fitPlateauSpeed(std::span<const double> time_s, std::span<c
     const double variance = squares / static_cast<double>(time_s.size() - 2);
     if (!std::isfinite(variance)) {
         return failure(ErrorCode::NotFinite, "a sample of a plateau is not a finite number",
-                       "look for faults in the recording");
+                       "check the recording for faults");
     }
     result.angleNoise_rad = std::sqrt(variance);
     result.speedError_rad_s = std::sqrt(variance / spread);
@@ -91,7 +92,7 @@ Result<Steadiness> testSteadiness(std::span<const double> time_s, std::span<cons
     constexpr std::size_t FewestSamples = 6;
     if (time_s.size() < FewestSamples || time_s.back() - time_s.front() < 2.0 * config.window_s - 0.05) {
         return failure(ErrorCode::Refused, "a plateau is shorter than two windows of the steadiness test",
-                       "dwell longer");
+                       "use a longer plateau time");
     }
     const double window_s = wholeTurns_s(time_s, angle_rad, config.window_s);
     const std::size_t second = firstAtOrAfter(time_s, time_s.back() - window_s);

@@ -23,12 +23,13 @@ constexpr double Alpha = 0.05;
 Result<void> check(const CycleRows& rows) {
     if (rows.reference.size() != rows.input.size() || rows.reference.size() != rows.output.size() ||
         !(rows.period_s > 0.0)) {
-        return failure(ErrorCode::InvalidInput, "the rows of the cycle are not three signals of one length");
+        return failure(ErrorCode::InvalidInput,
+                       "the rows of the oscillation are not three signals of equal length");
     }
     for (const auto& signal : {rows.reference, rows.input, rows.output}) {
         if (!std::all_of(signal.begin(), signal.end(), [](double value) { return std::isfinite(value); })) {
-            return failure(ErrorCode::NotFinite, "a row of the cycle holds no number",
-                           "look for gaps or faults in the recording");
+            return failure(ErrorCode::NotFinite, "a row of the cycle contains a value that is not a number",
+                           "check the recording for gaps or faults");
         }
     }
     return {};
@@ -117,20 +118,20 @@ double lead_rad(Complex value) {
 }
 
 /// The damping with which a rotor has this phase; its phase rises with it.
-Result<HeldRotor> rotorThrough(Complex plant, double frequency_rad_s, const CycleLoop& loop) {
-    HeldRotor rotor;
+Result<SampledPlantModel> rotorThrough(Complex plant, double frequency_rad_s, const CycleLoop& loop) {
+    SampledPlantModel rotor;
     rotor.lag_s = loop.lag_s;
     rotor.accelerationGain_rad_s2_A = 1.0;
     const auto leadOf = [&](double damping_1_s) {
         rotor.dampingRate_1_s = damping_1_s;
-        return lead_rad(heldRotorResponse(rotor, loop.period_s, frequency_rad_s));
+        return lead_rad(sampledPlantResponse(rotor, loop.period_s, frequency_rad_s));
     };
     double low = -0.5 * frequency_rad_s;
     double high = 2.0 * frequency_rad_s;
     const double wanted_rad = lead_rad(plant);
     if (leadOf(low) > wanted_rad || leadOf(high) < wanted_rad) {
-        return failure(ErrorCode::Refused, "no rotor has the response that the cycle shows",
-                       "look at the record: an angle error or a resonance may be in it");
+        return failure(ErrorCode::Refused, "the oscillation does not match a rotor",
+                       "check the recording for an angle error or a resonance");
     }
     constexpr int Halvings = 50;
     for (int i = 0; i < Halvings; ++i) {
@@ -139,7 +140,7 @@ Result<HeldRotor> rotorThrough(Complex plant, double frequency_rad_s, const Cycl
     }
     (void)leadOf(0.5 * (low + high));
     rotor.accelerationGain_rad_s2_A =
-        std::abs(plant) / std::abs(heldRotorResponse(rotor, loop.period_s, frequency_rad_s));
+        std::abs(plant) / std::abs(sampledPlantResponse(rotor, loop.period_s, frequency_rad_s));
     return rotor;
 }
 
@@ -159,9 +160,9 @@ Result<LimitCyclePoint> estimateLimitCycle(const CycleRows& rows) {
     const std::vector<double> passes = upwardPasses(swing);
     if (passes.size() <= FewestCycles) {
         return failure(ErrorCode::Refused,
-                       fmt::format("the loop swings {} times in the record: that is no limit cycle",
+                       fmt::format("only {} cycles in the recording: no limit cycle",
                                    passes.empty() ? 0 : passes.size() - 1),
-                       "use a larger gain of the relay, or the model of this motor");
+                       "use a larger relay gain, or the model of this motor");
     }
     std::vector<Block> blocks;
     for (std::size_t i = 0; i + CyclesOfBlock < passes.size(); i += CyclesOfBlock) {
@@ -193,15 +194,17 @@ Result<LimitCyclePoint> estimateLimitCycle(const CycleRows& rows) {
     return point;
 }
 
-Result<UltimateGain> ultimateGain(const HeldRotor& rotor, double period_s, int delay_samples) {
+Result<UltimateGain> ultimateGain(const SampledPlantModel& rotor, double period_s, int delay_samples) {
     const auto lateBy = [&](double w) { return std::polar(1.0, -w * period_s * delay_samples); };
-    const auto leadAt = [&](double w) { return lead_rad(heldRotorResponse(rotor, period_s, w) * lateBy(w)); };
+    const auto leadAt = [&](double w) {
+        return lead_rad(sampledPlantResponse(rotor, period_s, w) * lateBy(w));
+    };
     double high = 0.9 * Pi / (period_s * (1.0 + 2.0 * delay_samples)); // below it no phase wraps
     double low = 1e-4 * high;
     if (!(leadAt(low) > 0.0) || !(leadAt(high) < 0.0)) {
         return failure(ErrorCode::Refused,
-                       "this motor does not damp: proportional control swings at any gain",
-                       "there is no ultimate gain; use a method with derivative action");
+                       "this motor has no damping: proportional control oscillates at any gain",
+                       "no ultimate gain exists; use a method with derivative action");
     }
     constexpr int Halvings = 50;
     for (int i = 0; i < Halvings; ++i) {
@@ -209,7 +212,7 @@ Result<UltimateGain> ultimateGain(const HeldRotor& rotor, double period_s, int d
         (leadAt(middle) > 0.0 ? low : high) = middle;
     }
     const double w = 0.5 * (low + high);
-    return UltimateGain{1.0 / std::abs(heldRotorResponse(rotor, period_s, w)), w};
+    return UltimateGain{1.0 / std::abs(sampledPlantResponse(rotor, period_s, w)), w};
 }
 
 Result<UltimateEstimate> ultimateOfCycle(const LimitCyclePoint& cycle, const CycleLoop& loop) {
@@ -220,10 +223,9 @@ Result<UltimateEstimate> ultimateOfCycle(const LimitCyclePoint& cycle, const Cyc
     result.phase_deg = -180.0 + lead_deg;
     if (!(std::abs(lead_deg) <= loop.mostPhase_deg)) {
         return failure(ErrorCode::Refused,
-                       fmt::format("at the cycle's frequency the phase is {:.4g} deg, too far from -180 deg",
+                       fmt::format("phase at the oscillation frequency {:.4g} deg, too far from -180 deg",
                                    result.phase_deg),
-                       fmt::format("at most {:.3g} deg are allowed: look for a delay that the board does not "
-                                   "tell, or a resonance",
+                       fmt::format("allowed: {:.3g} deg; check for an unreported delay or a resonance",
                                    loop.mostPhase_deg));
     }
     const double half_deg = radiansToDegrees(std::asin(std::min(cycle.radius / std::abs(cycle.plant), 1.0)));
@@ -234,8 +236,9 @@ Result<UltimateEstimate> ultimateOfCycle(const LimitCyclePoint& cycle, const Cyc
             return failure(rotor.error());
         }
         if (!(rotor->dampingRate_1_s > 0.0)) {
-            return failure(ErrorCode::Refused, "the cycle shows a damping below zero, which no motor has",
-                           "calibrate the sensors; look for a delay that the board does not tell");
+            return failure(ErrorCode::Refused,
+                           "negative damping from the oscillation, not possible for a motor",
+                           "calibrate the sensors; check for an unreported delay");
         }
         result.rotor = *rotor;
         return ultimateGain(*rotor, loop.period_s, loop.delay_samples);

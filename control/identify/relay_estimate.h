@@ -49,7 +49,7 @@ struct UltimateGain {
 
 /// Of a rotor behind a current that is held and `delay_samples` late. Errors: Refused for one that does not
 /// damp: it swings at any gain.
-Result<UltimateGain> ultimateGain(const HeldRotor& rotor, double period_s, int delay_samples);
+Result<UltimateGain> ultimateGain(const SampledPlantModel& rotor, double period_s, int delay_samples);
 
 /// What is known beside the cycle itself.
 struct CycleLoop {
@@ -67,7 +67,7 @@ struct UltimateEstimate {
     std::pair<double, double> period95_s;
     double phase_deg = 0.0; ///< of G z^-d at the cycle's own frequency
     std::pair<double, double> phase95_deg;
-    HeldRotor rotor; ///< the one rotor that has this G at this frequency
+    SampledPlantModel rotor; ///< the one rotor that has this G at this frequency
 };
 
 /// A relay that is not symmetric swings near -180 degrees and not at it; there one degree is 17 % of gain

@@ -63,7 +63,7 @@ Result<BootstrapResult> bootstrapPairs(const Eigen::MatrixXd& design, const Eige
         ++result.draws;
     }
     if (result.refused * 10 > resamples) {
-        return failure(ErrorCode::Refused, "the fit hangs on single points", "measure more points");
+        return failure(ErrorCode::Refused, "the fit depends on single points", "measure more points");
     }
     for (std::size_t k = 0; k < drawn.size(); ++k) {
         std::sort(drawn[k].begin(), drawn[k].end());

@@ -30,17 +30,17 @@ Result<void> check(const SweptRows& rows) {
     if (rows.restRows < FewestRestRows || rows.restRows >= rows.rowsPerSweep || count != rows.input.size() ||
         count != rows.output.size() || !isOrdered || !isBand || rows.starts.empty() ||
         rows.starts.back() + rows.rowsPerSweep > count) {
-        return failure(ErrorCode::InvalidInput, "the swept rows are not whole sweeps of three signals");
+        return failure(ErrorCode::InvalidInput, "the swept rows are not complete sweeps of three signals");
     }
     if (rows.starts.size() < FewestSweeps) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("{} sweeps say too little of the scatter", rows.starts.size()),
+                       fmt::format("{} sweeps are too few to estimate the scatter", rows.starts.size()),
                        fmt::format("measure at least {}", FewestSweeps));
     }
     for (const auto& signal : {rows.reference, rows.input, rows.output}) {
         if (!std::all_of(signal.begin(), signal.end(), [](double value) { return std::isfinite(value); })) {
-            return failure(ErrorCode::NotFinite, "a swept row holds no number",
-                           "look for gaps or faults in the recording");
+            return failure(ErrorCode::NotFinite, "a swept row contains a value that is not a number",
+                           "check the recording for gaps or faults");
         }
     }
     return {};
@@ -188,7 +188,7 @@ Result<PlantPoint> pointOf(const Sweeps& sweeps, int first, int last) {
     }
     if (sums.Sur == 0.0) {
         return failure(ErrorCode::Refused, "the excitation did not reach the plant",
-                       "check that the reference generator ran");
+                       "check that the reference generator was running");
     }
     point.value = sums.Syr / sums.Sur;
     point.coherence = sums.coherence();
@@ -213,7 +213,7 @@ Result<std::vector<PlantPoint>> estimateSweptPlant(const SweptRows& rows) {
     const int from = std::max(1, static_cast<int>(std::ceil(sweeps.lineOf(rows.lowest_rad_s))));
     const int to = static_cast<int>(std::floor(sweeps.lineOf(rows.highest_rad_s)));
     if (to < from) {
-        return failure(ErrorCode::InvalidInput, "a sweep is too short to tell its frequencies apart");
+        return failure(ErrorCode::InvalidInput, "a sweep is too short to resolve its frequencies");
     }
     const int count = to - from + 1;
     const int points = std::min(rows.points, count);

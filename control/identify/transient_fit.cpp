@@ -179,12 +179,13 @@ Result<TransientFit> fitTransients(std::span<const TransientRecord> records) {
         HB_ASSERT(record.time_s.size() == record.angle_rad.size());
         constexpr std::size_t FewestSamples = 4;
         if (record.time_s.size() < FewestSamples) {
-            return failure(ErrorCode::Refused, "a record has too few samples", "record faster or longer");
+            return failure(ErrorCode::Refused, "a record has too few samples",
+                           "record at a higher rate or for a longer time");
         }
         rows += static_cast<Eigen::Index>(record.time_s.size());
     }
     if (records.empty()) {
-        return failure(ErrorCode::Refused, "no run-up and no coast-down", "record some");
+        return failure(ErrorCode::Refused, "no run-up and no coast-down", "record run-ups or coast-downs");
     }
     Eigen::VectorXd observed(rows);
     Eigen::Index row = 0;
@@ -194,7 +195,7 @@ Result<TransientFit> fitTransients(std::span<const TransientRecord> records) {
         }
     }
     if (!observed.allFinite()) {
-        return failure(ErrorCode::NotFinite, "an angle is not a number", "cut the damaged rows out");
+        return failure(ErrorCode::NotFinite, "an angle is not a number", "remove the damaged rows");
     }
     const Layout layout = layoutOf(records);
     Eigen::VectorXd best;
@@ -208,13 +209,13 @@ Result<TransientFit> fitTransients(std::span<const TransientRecord> records) {
         }
     }
     if (best.size() == 0 || !best.allFinite()) {
-        return failure(ErrorCode::Refused, "the records do not tell torque, friction and damping apart",
+        return failure(ErrorCode::Refused, "the records do not separate torque, friction and damping",
                        "add a coast-down or a run-up at a second current");
     }
     const Eigen::MatrixXd slopes = jacobian(records, layout, best, rows);
     const auto local = fitLinear(slopes, observed - predict(records, layout, best, rows));
     if (!local || !decidesAll(slopes)) {
-        return failure(ErrorCode::Refused, "the records do not tell torque, friction and damping apart",
+        return failure(ErrorCode::Refused, "the records do not separate torque, friction and damping",
                        "add a coast-down or a run-up at a second current");
     }
     TransientFit fit;

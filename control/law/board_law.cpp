@@ -1,7 +1,7 @@
 #include "control/law/board_law.h"
 
+#include "control/law/filtered_controller.h"
 #include "control/law/named_filter.h"
-#include "control/law/shaped_controller.h"
 
 #include <cmath>
 #include <complex>
@@ -34,7 +34,7 @@ Complex derivativeFilterAt(const BoardLaw<double>& law, Complex d) {
 
 } // namespace
 
-Result<BoardLaw<double>> boardLaw(const ShapedLaw& law, const PositionLaw& extras, const LoopTiming& timing,
+Result<BoardLaw<double>> boardLaw(const FilteredLaw& law, const PositionLaw& extras, const LoopTiming& timing,
                                   double currentLimit_A) {
     if (!(std::isfinite(currentLimit_A) && currentLimit_A > 0.0)) {
         return failure(ErrorCode::OutOfRange, "the current limit must be positive");
@@ -67,22 +67,22 @@ Result<BoardLaw<double>> boardLaw(const ShapedLaw& law, const PositionLaw& extra
     return board;
 }
 
-ShapedLaw shapedLaw(const BoardLaw<double>& law) {
-    ShapedLaw shaped;
-    shaped.gains.proportional = law.kp_A_per_rad;
-    shaped.gains.integral = law.ki_A_per_rad_s;
-    shaped.gains.derivative = law.kd_As_per_rad;
+FilteredLaw filteredLaw(const BoardLaw<double>& law) {
+    FilteredLaw filtered;
+    filtered.gains.proportional = law.kp_A_per_rad;
+    filtered.gains.integral = law.ki_A_per_rad_s;
+    filtered.gains.derivative = law.kd_As_per_rad;
     if (law.derivativeFilter_s > 0.0) {
-        shaped.gains.filter_s = law.derivativeFilter_s;
+        filtered.gains.filter_s = law.derivativeFilter_s;
     }
-    shaped.proportionalWeight = law.referenceWeight;
-    shaped.derivativeWeight = law.derivativeReferenceWeight;
+    filtered.proportionalWeight = law.referenceWeight;
+    filtered.derivativeWeight = law.derivativeReferenceWeight;
     for (const LawSection<double>& section : law.sections) {
         if (!(section == LawSection<double>())) {
-            shaped.filters.push_back(namedFilter(section, law.period_s));
+            filtered.filters.push_back(namedFilter(section, law.period_s));
         }
     }
-    return shaped;
+    return filtered;
 }
 
 std::complex<double> feedbackResponse(const BoardLaw<double>& law, double frequency_rad_s) {

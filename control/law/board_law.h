@@ -1,8 +1,8 @@
 #pragma once
 
+#include "control/law/filtered_law.h"
 #include "control/law/law_run.h"
 #include "control/law/position_loop.h"
-#include "control/law/shaped_law.h"
 
 #include <complex>
 #include <vector>
@@ -54,12 +54,12 @@ using SampledPositionLaw = BoardLaw<double>;
 
 /// The law that a board runs for these gains, weights and filters; `extras` are the parts of the law beside
 /// its gains. Errors: of `checkedGains` and `checkTiming`; OutOfRange (the limit).
-Result<BoardLaw<double>> boardLaw(const ShapedLaw& law, const PositionLaw& extras, const LoopTiming& timing,
+Result<BoardLaw<double>> boardLaw(const FilteredLaw& law, const PositionLaw& extras, const LoopTiming& timing,
                                   double currentLimit_A);
 
 /// The gains, weights and filters of a board's law: the inverse. Filters have their names where they have one
 /// (`namedFilter`).
-ShapedLaw shapedLaw(const BoardLaw<double>& law);
+FilteredLaw filteredLaw(const BoardLaw<double>& law);
 
 /// From the error of the angle to the current, F (K_P + I + D), without the delay.
 std::complex<double> feedbackResponse(const BoardLaw<double>& law, double frequency_rad_s);

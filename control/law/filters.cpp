@@ -15,8 +15,7 @@ Result<void> check(double value, double above, double below) {
         return failure(ErrorCode::NotFinite, "a figure of the filter is not a finite number");
     }
     if (value <= above || value >= below) {
-        return failure(ErrorCode::OutOfRange,
-                       fmt::format("this filter is not possible: {} lies outside its range", value));
+        return failure(ErrorCode::OutOfRange, fmt::format("invalid filter: {} is out of range", value));
     }
     return {};
 }

@@ -1,7 +1,7 @@
 #include "control/law/named_filter.h"
 
 #include "control/base/units.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 
 #include <fmt/format.h>
 

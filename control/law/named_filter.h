@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control/law/shaped_law.h"
+#include "control/law/filtered_law.h"
 
 namespace halbench::control {
 

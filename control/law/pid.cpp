@@ -29,8 +29,8 @@ Result<Terms> parallelTerms(const PidGains& gains) {
         return Terms{K, gains.integral, gains.derivative};
     }
     if (gains.integral == 0.0) {
-        return failure(ErrorCode::InvalidInput, "an integral time of zero is an infinite integral gain",
-                       "no integral action is an infinite integral time");
+        return failure(ErrorCode::InvalidInput, "an integral time of zero means an infinite integral gain",
+                       "without integral action the integral time is infinite");
     }
     const double ki = K / gains.integral;
     const double kd = K * gains.derivative;
@@ -49,7 +49,7 @@ Result<PidGains> expressedInSeries(const Terms& terms, double filter_s, PidGains
     if (square < 0.0) {
         return failure(ErrorCode::InvalidInput,
                        "the series form has real zeros only, these gains have complex ones (T_i < 4 T_d)",
-                       "keep the parallel or the standard form");
+                       "use the parallel or the standard form");
     }
     const double root = std::copysign(std::sqrt(square), terms.kp - c);
     const double K = 0.5 * (terms.kp + c + root);
@@ -71,8 +71,8 @@ Result<PidGains> expressed(const Terms& terms, PidForm form, double filter_s) {
     if (terms.kp == 0.0) {
         if (terms.ki != 0.0 || terms.kd != 0.0) {
             return failure(ErrorCode::InvalidInput,
-                           "a controller without proportional gain cannot be written with times",
-                           "keep the parallel form");
+                           "without proportional gain the time-constant forms do not exist",
+                           "use the parallel form");
         }
         result.integral = Never_s;
         return result;

@@ -3,7 +3,7 @@
 #include "control/base/assert.h"
 #include "control/law/board_gains.h"
 #include "control/law/gain_limit.h"
-#include "control/law/held_rotor.h"
+#include "control/law/sampled_axis.h"
 
 #include <fmt/format.h>
 
@@ -28,11 +28,11 @@ Result<PidGains> boardGains(const PidGains& gains) {
     if (board->derivative != 0.0 && board->filter_s.value_or(0.0) > 0.0) {
         return failure(
             ErrorCode::InvalidInput,
-            fmt::format("the law on the board has no filter on its derivative, these gains have one "
-                        "of {:.4g} s",
-                        *board->filter_s),
-            "leave the filter out (filter_s null): the board takes the difference over one sample; "
-            "where its noise is too much, lower K_D");
+            fmt::format(
+                "the device's control law has no derivative filter; these gains have a filter of {:.4g} s",
+                *board->filter_s),
+            "omit the filter (filter_s null): the device uses the difference of two samples; if the noise is "
+            "too large, reduce K_D");
     }
     board->filter_s.reset();
     return board;
@@ -45,12 +45,12 @@ Result<void> checkPlant(const PositionPlant& plant) {
     }
     if (plant.accelerationGain_rad_s2_A <= 0.0 || plant.dampingRate_1_s < 0.0 ||
         plant.breakawayCurrent_A < 0.0) {
-        return failure(
-            ErrorCode::OutOfRange,
-            fmt::format("phi/J = {:.4g}, c/J = {:.4g}, K_f/phi = {:.4g} is no motor: torque per ampere must "
-                        "be positive, damping and friction not negative",
-                        plant.accelerationGain_rad_s2_A, plant.dampingRate_1_s, plant.breakawayCurrent_A),
-            "identify the motor again");
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("phi/J = {:.4g}, c/J = {:.4g}, K_f/phi = {:.4g} is not a valid motor: "
+                                   "torque per ampere must be positive, damping and friction not negative",
+                                   plant.accelerationGain_rad_s2_A, plant.dampingRate_1_s,
+                                   plant.breakawayCurrent_A),
+                       "identify the motor again");
     }
     return {};
 }

@@ -152,7 +152,7 @@ Result<DeltaSystem> DeltaSystem::make(Roots zeros, Roots poles, double gain, con
     }
     if (zeros.size() > poles.size()) {
         return failure(ErrorCode::InvalidInput, "the transfer function has more zeros than poles",
-                       "add the filter or the actuator that every real system has");
+                       "add the filter or actuator of the real system");
     }
     HB_ASSERT(timeBase.isSampled());
     return DeltaSystem(std::move(zeros), std::move(poles), gain, timeBase);

@@ -81,7 +81,7 @@ Result<StateSpace> bilinear(const StateSpace& system, double period_s, const Hol
 
 tl::unexpected<Error> noContinuousImage() {
     return failure(
-        ErrorCode::Refused, "this sampled system is not the image of a continuous one",
+        ErrorCode::Refused, "this sampled system does not correspond to a continuous one",
         "a pole lies at zero or on the negative real axis: choose Tustin, or take delays out first");
 }
 

@@ -33,7 +33,7 @@ Result<FrequencyResponse> valuesOf(const auto& atFrequency, const TimeBase& base
     for (const double frequency : frequency_rad_s) {
         if (!(frequency > 0.0 && frequency <= limit_rad_s)) {
             return failure(ErrorCode::OutOfRange,
-                           fmt::format("{} rad/s lies outside the frequency range of the system", frequency));
+                           fmt::format("{} rad/s is outside the frequency range of the system", frequency));
         }
         response.value.push_back(atFrequency(frequency));
     }

@@ -63,7 +63,7 @@ Result<ZeroPoleGain> matchedContinuous(const ZeroPoleGain& system) {
             }
             if (root == 0.0 || isNegative) {
                 return failure(ErrorCode::Refused,
-                               "this sampled system is not the image of a continuous one");
+                               "this sampled system does not correspond to a continuous one");
             }
             (isPole ? poles : zeros).push_back(root == 1.0 ? Complex(0.0) : std::log(root) / period_s);
         }

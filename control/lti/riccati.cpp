@@ -33,7 +33,7 @@ Result<MatrixXd> solveRiccati(const MatrixXd& A, const MatrixXd& B, const Matrix
     }
     if (!H.allFinite() || !(a.norm() < 1e-3)) {
         return failure(ErrorCode::Refused, "no regulator stabilises this system with these weights",
-                       "weigh every state that does not come to rest by itself");
+                       "weight every state that does not decay by itself");
     }
     return MatrixXd(0.5 * (H + H.transpose()));
 }

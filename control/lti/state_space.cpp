@@ -150,7 +150,7 @@ Result<StateSpace> feedback(const StateSpace& forward, const StateSpace& back) {
     const Eigen::FullPivLU<Eigen::MatrixXd> lu(direct);
     if (!lu.isInvertible()) {
         return failure(ErrorCode::InvalidInput, "the feedback closes an algebraic loop with 1 + L = 0",
-                       "one of the two systems needs a delay");
+                       "an algebraic loop: one of the two systems needs a delay");
     }
     const Eigen::MatrixXd W = lu.inverse();
     const Eigen::Index n1 = forward.states();

@@ -31,7 +31,7 @@ Result<TransferFunction> TransferFunction::make(Polynomial numerator, Polynomial
     }
     if (degree(system.m_numerator) > degree(system.m_denominator)) {
         return failure(ErrorCode::InvalidInput, "the transfer function has more zeros than poles",
-                       "add the filter or the actuator that every real system has");
+                       "add the filter or actuator of the real system");
     }
     return system;
 }
@@ -118,7 +118,7 @@ Result<TransferFunction> feedback(const TransferFunction& forward, const Transfe
     const Polynomial closed = add(open, multiply(forward.numerator(), back.numerator()));
     if (degree(closed) < degree(open)) {
         return failure(ErrorCode::InvalidInput, "the feedback closes an algebraic loop with 1 + L = 0",
-                       "one of the two systems needs a delay");
+                       "an algebraic loop: one of the two systems needs a delay");
     }
     return TransferFunction::make(multiply(forward.numerator(), back.denominator()), closed, *base);
 }

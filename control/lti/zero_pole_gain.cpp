@@ -87,7 +87,7 @@ Result<ZeroPoleGain> ZeroPoleGain::make(Roots zeros, Roots poles, double gain, T
     }
     if (zeros.size() > poles.size()) {
         return failure(ErrorCode::InvalidInput, "the transfer function has more zeros than poles",
-                       "add the filter or the actuator that every real system has");
+                       "add the filter or actuator of the real system");
     }
     if (!pairUp(zeros) || !pairUp(poles)) {
         return failure(ErrorCode::InvalidInput, "a complex zero or pole lacks its conjugate partner");
@@ -188,7 +188,7 @@ Result<ZeroPoleGain> feedback(const ZeroPoleGain& forward, const ZeroPoleGain& b
             scale(fromRoots(joined(forward.zeros(), back.zeros())), forward.gain() * back.gain()));
     if (closed == Polynomial{0.0} || degree(closed) < static_cast<int>(openPoles.size())) {
         return failure(ErrorCode::InvalidInput, "the feedback closes an algebraic loop with 1 + L = 0",
-                       "one of the two systems needs a delay");
+                       "an algebraic loop: one of the two systems needs a delay");
     }
     return ZeroPoleGain::make(joined(forward.zeros(), back.poles()), roots(closed),
                               forward.gain() / closed.front(), *base);

@@ -1,7 +1,7 @@
 #include "control/robustness/loop_batch.h"
 
 #include "control/law/board_gains.h"
-#include "control/law/held_rotor.h"
+#include "control/law/sampled_axis.h"
 
 #include <cmath>
 
@@ -26,7 +26,7 @@ Result<LoopBatch> LoopBatch::make(const std::vector<PositionPlant>& plants, cons
         }
     }
     if (batch.m_plants.empty()) {
-        return failure(ErrorCode::Refused, "none of the drawn plants is a motor", "identify the motor again");
+        return failure(ErrorCode::Refused, "no valid motor among the samples", "identify the motor again");
     }
     const auto lanes = static_cast<Eigen::Index>(batch.m_plants.size());
     for (Eigen::ArrayXd* array : {&batch.m_gain, &batch.m_gain2, &batch.m_decay, &batch.m_rate}) {

@@ -1,7 +1,7 @@
 // Stability and margins of many loops at once.
 #include "control/analysis/frequency_scan.h"
 #include "control/base/units.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 #include "control/robustness/loop_batch.h"
 
 #include <algorithm>
@@ -120,7 +120,7 @@ public:
 private:
     /// Coefficients of z would leave low frequencies out.
     DeltaSystem firstByRoots() const {
-        ShapedLaw law;
+        FilteredLaw law;
         law.gains = m_batch.gains();
         return *deltaOpenLoop(m_batch.plant(0), law, m_batch.timing());
     }

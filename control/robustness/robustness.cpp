@@ -1,9 +1,9 @@
 #include "control/robustness/robustness.h"
 
 #include "control/base/assert.h"
-#include "control/robustness/drawn_verdicts.h"
 #include "control/robustness/loop_batch.h"
 #include "control/robustness/percentiles.h"
+#include "control/robustness/sampled_assessments.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +31,7 @@ Result<Eigen::MatrixXd> factor(const Eigen::MatrixXd& covariance) {
     const bool isBounded = (rest.array().abs() <= Rounding * covariance.cwiseAbs().maxCoeff()).all();
     if (covariance.diagonal().minCoeff() < 0.0 || !isSymmetric || !isBounded ||
         solver.eigenvalues().minCoeff() < -Rounding) {
-        return failure(ErrorCode::InvalidInput, "the covariance of the model is not a covariance",
+        return failure(ErrorCode::InvalidInput, "the covariance of the model is not valid",
                        "it must be symmetric and positive semi-definite: identify the motor again");
     }
     const Eigen::VectorXd scale = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
@@ -63,9 +63,9 @@ StabilityMargins ofUnstable(StabilityMargins margins) {
 }
 
 /// Each draw on its own loop, all of them together. One that is no motor, or a law that is none, has nothing.
-std::vector<DrawnVerdict> judge(const std::vector<PositionPlant>& plants, const PidGains& gains,
-                                const LoopTiming& timing) {
-    std::vector<DrawnVerdict> judged(plants.size(), noMotor());
+std::vector<SampledAssessment> judge(const std::vector<PositionPlant>& plants, const PidGains& gains,
+                                     const LoopTiming& timing) {
+    std::vector<SampledAssessment> judged(plants.size(), noMotor());
     const auto batch = LoopBatch::make(plants, gains, timing);
     if (!batch) {
         return judged;
@@ -73,13 +73,13 @@ std::vector<DrawnVerdict> judge(const std::vector<PositionPlant>& plants, const 
     const std::vector<BatchVerdict> verdicts = judgeBatch(*batch);
     for (std::size_t lane = 0; lane < verdicts.size(); ++lane) {
         const BatchVerdict& verdict = verdicts[lane];
-        judged[batch->plantOfLane()[lane]] = drawnVerdict(verdict.isStable, verdict.margins);
+        judged[batch->plantOfLane()[lane]] = sampledAssessment(verdict.isStable, verdict.margins);
     }
     return judged;
 }
 
 template <typename Figure>
-Robustness::Interval spreadOfDraws(const std::vector<DrawnVerdict>& draws, Figure figure) {
+Robustness::Interval spreadOfDraws(const std::vector<SampledAssessment>& draws, Figure figure) {
     Eigen::ArrayXd values(static_cast<Eigen::Index>(draws.size()));
     for (std::size_t i = 0; i < draws.size(); ++i) {
         values[static_cast<Eigen::Index>(i)] = figure(draws[i]);
@@ -89,22 +89,22 @@ Robustness::Interval spreadOfDraws(const std::vector<DrawnVerdict>& draws, Figur
 }
 
 template <typename Figure>
-Robustness::Interval spread(const std::vector<DrawnVerdict>& draws, Figure figure) {
-    return spreadOfDraws(draws, [&figure](const DrawnVerdict& draw) { return figure(draw.margins); });
+Robustness::Interval spread(const std::vector<SampledAssessment>& draws, Figure figure) {
+    return spreadOfDraws(draws, [&figure](const SampledAssessment& draw) { return figure(draw.margins); });
 }
 
-double eitherWay_ratio(const DrawnVerdict& draw) {
+double eitherWay_ratio(const SampledAssessment& draw) {
     const double ratio = draw.margins.gainMargin_ratio;
     return draw.isStable && ratio > 0.0 ? std::max(ratio, 1.0 / ratio) : std::min(ratio, 1.0);
 }
 
 } // namespace
 
-DrawnVerdict drawnVerdict(bool isStable, const StabilityMargins& margins) {
+SampledAssessment sampledAssessment(bool isStable, const StabilityMargins& margins) {
     return {isStable, isStable ? margins : ofUnstable(margins)};
 }
 
-DrawnVerdict noMotor() {
+SampledAssessment noMotor() {
     return {false, ofUnstable({0.0, 0.0, {}, {}, 0.0, 0.0})};
 }
 
@@ -112,12 +112,12 @@ bool isUncertain(const UncertainPlant& plant) {
     return plant.covariance.size() > 0 && plant.covariance.diagonal().maxCoeff() > 0.0;
 }
 
-Robustness robustnessOf(const std::vector<DrawnVerdict>& draws, bool isUncertain) {
+Robustness robustnessOf(const std::vector<SampledAssessment>& draws, bool isUncertain) {
     const auto gain = spread(draws, [](const StabilityMargins& m) { return m.gainMargin_ratio; });
     const auto phase = spread(draws, [](const StabilityMargins& m) { return m.phaseMargin_deg; });
     const auto count = static_cast<double>(draws.size());
-    const auto unstable =
-        std::count_if(draws.begin(), draws.end(), [](const DrawnVerdict& draw) { return !draw.isStable; });
+    const auto unstable = std::count_if(draws.begin(), draws.end(),
+                                        [](const SampledAssessment& draw) { return !draw.isStable; });
     Robustness robust{static_cast<int>(draws.size()), gain.p5, phase.p5,
                       static_cast<double>(unstable) / count};
     robust.gainMarginEitherWay_ratio_p5 = spreadOfDraws(draws, eitherWay_ratio).p5;
@@ -128,8 +128,9 @@ Robustness robustnessOf(const std::vector<DrawnVerdict>& draws, bool isUncertain
     robust.phaseMargin_deg = phase;
     robust.delayMargin_s = spread(draws, [](const StabilityMargins& m) { return m.delayMargin_s; });
     robust.modulusMargin = spread(draws, [](const StabilityMargins& m) { return m.modulusMargin; });
-    if (std::all_of(draws.begin(), draws.end(),
-                    [](const DrawnVerdict& draw) { return draw.margins.gainCrossover_rad_s.has_value(); })) {
+    if (std::all_of(draws.begin(), draws.end(), [](const SampledAssessment& draw) {
+            return draw.margins.gainCrossover_rad_s.has_value();
+        })) {
         robust.gainCrossover_rad_s =
             spread(draws, [](const StabilityMargins& m) { return *m.gainCrossover_rad_s; });
     }

@@ -1,4 +1,4 @@
-#include "control/robustness/moved_motors.h"
+#include "control/robustness/simulated_ensemble.h"
 #include "control/robustness/uncertainty_bands.h"
 
 #include <fmt/format.h>
@@ -21,17 +21,17 @@ Result<void> checkExtent(double amplitude_rad, double points, int pointsPerSampl
 
 } // namespace
 
-Result<StepBand> stepBandOf(const MovedMotors& motors, double amplitude_rad, double duration_s,
+Result<StepBand> stepBandOf(const SimulatedEnsemble& motors, double amplitude_rad, double duration_s,
                             int pointsPerSample, std::size_t mostPoints) {
     const double interval_s = motors.period_s / pointsPerSample;
     if (const auto valid = checkExtent(amplitude_rad, duration_s / interval_s, pointsPerSample); !valid) {
         return failure(valid.error());
     }
     const auto points = static_cast<std::size_t>(std::floor(duration_s / interval_s + 1e-6)) + 1;
-    const LaneRun run{amplitude_rad, 0.0, pointsPerSample, keptPoints(points, mostPoints)};
+    const BatchRun run{amplitude_rad, 0.0, pointsPerSample, keptPoints(points, mostPoints)};
     auto middle = motors.middle(run);
     if (!middle) {
-        return failure(ErrorCode::Refused, "none of the drawn plants is a motor", "identify the motor again");
+        return failure(ErrorCode::Refused, "no valid motor among the samples", "identify the motor again");
     }
     StepBand band{{}, *std::move(middle)};
     for (const std::size_t point : run.kept) {
@@ -47,7 +47,7 @@ Result<StepBand> stepBand(const std::vector<PositionPlant>& plants, const PidGai
     if (!batch) {
         return failure(batch.error());
     }
-    return stepBandOf(movedMotors(*batch), amplitude_rad, duration_s, pointsPerSample, mostPoints);
+    return stepBandOf(simulatedEnsemble(*batch), amplitude_rad, duration_s, pointsPerSample, mostPoints);
 }
 
 } // namespace halbench::control

@@ -81,9 +81,9 @@ Result<std::vector<double>> multisine(const Sampling& sampling, double from_Hz, 
     const auto lines = count > 0 ? harmonics(sampling.duration_s, from_Hz, to_Hz, count) : std::set<long>{};
     if (count < 1 || lines.size() != static_cast<std::size_t>(count)) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("{} to {} Hz does not hold {} lines {:.4g} Hz apart", from_Hz, to_Hz,
+                       fmt::format("{} to {} Hz cannot contain {} lines {:.4g} Hz apart", from_Hz, to_Hz,
                                    count, 1.0 / sampling.duration_s),
-                       "excite longer, widen the band or ask for fewer lines");
+                       "use a longer excitation, a wider band or fewer lines");
     }
     std::vector<double> result(*samples, 0.0);
     int k = 0;

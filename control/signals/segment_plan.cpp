@@ -37,8 +37,8 @@ Result<void> checkConfig(const SpectrumConfig& config) {
 Result<std::size_t> chosenRows(std::size_t longest, bool isAveraged) {
     if (longest < FewestRows) {
         return failure(ErrorCode::Refused,
-                       fmt::format("no {} rows follow each other without a gap or missing value", FewestRows),
-                       "record longer, or at a rate that the link carries without losses");
+                       fmt::format("fewer than {} consecutive rows without gap or missing value", FewestRows),
+                       "record for longer, or at a rate without losses");
     }
     const auto share = static_cast<std::size_t>(static_cast<double>(longest) / SegmentsSideBySide);
     return fastLength(isAveraged ? std::max(share, FewestRows) : longest, longest);
@@ -53,8 +53,8 @@ Result<std::size_t> askedRows(double segment_s, double period_s, std::size_t lon
     }
     if (rows > static_cast<double>(longest)) {
         return failure(ErrorCode::Refused,
-                       fmt::format("a segment of {} s does not fit: the longest stretch without a gap or "
-                                   "missing value has {} rows, {:.6g} s",
+                       fmt::format("a segment of {} s is too long: the longest part without gap or missing "
+                                   "value has {} rows, {:.6g} s",
                                    segment_s, longest, static_cast<double>(longest) * period_s),
                        "give a shorter segment, or record longer");
     }
@@ -70,11 +70,11 @@ Result<void> checkRate(const SignalView& signal, const SegmentPlan& plan) {
             if (std::fabs(signal.time_s[begin + row] - due_s) > period_s) {
                 return failure(
                     ErrorCode::Refused,
-                    fmt::format("the rate is not constant: {} rows from {:.6g} s on take {:.6g} s where "
-                                "{:.6g} s are the average",
-                                row, signal.time_s[begin], signal.time_s[begin + row] - signal.time_s[begin],
-                                due_s - signal.time_s[begin]),
-                    "give a shorter segment, or a part of the recording with one rate");
+                    fmt::format(
+                        "the rate is not constant: {} rows from {:.6g} s on take {:.6g} s, average {:.6g} s",
+                        row, signal.time_s[begin], signal.time_s[begin + row] - signal.time_s[begin],
+                        due_s - signal.time_s[begin]),
+                    "use a shorter segment, or a part of the recording with constant rate");
             }
         }
     }
@@ -96,7 +96,7 @@ Result<SegmentPlan> planSegments(const SignalView& signal, const SpectrumConfig&
     if (const Result<void> valid = checkConfig(config); !valid) {
         return failure(valid.error());
     }
-    Result<EvenStretches> stretches = findEvenStretches(signal.time_s, signal.values);
+    Result<UniformSegments> stretches = findUniformSegments(signal.time_s, signal.values);
     if (!stretches) {
         return failure(stretches.error());
     }

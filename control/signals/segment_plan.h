@@ -1,13 +1,13 @@
 #pragma once
 
-#include "control/signals/even_stretches.h"
 #include "control/signals/spectrum.h"
+#include "control/signals/uniform_segments.h"
 
 namespace halbench::control {
 
 /// Where the segments of a spectrum lie.
 struct SegmentPlan {
-    EvenStretches stretches;
+    UniformSegments stretches;
     std::size_t rows = 0;  ///< of a segment
     std::size_t shift = 0; ///< from one segment to the next
     std::vector<std::size_t> begins;

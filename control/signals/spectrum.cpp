@@ -206,9 +206,9 @@ Result<Spectrogram> spectrogram(const SignalView& signal, const SpectrumConfig& 
     SegmentTransform transform(config.window, plan->rows, config.removesMean);
     if (plan->begins.size() > MostValues / transform.lines()) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("{} segments of {} lines are too many values for a spectrogram",
+                       fmt::format("{} segments of {} lines exceed the size of a spectrogram",
                                    plan->begins.size(), transform.lines()),
-                       "let the segments overlap less, or take a part of the recording");
+                       "reduce the overlap, or use a part of the recording");
     }
     Spectrogram result;
     result.unit = spectrumUnit(signal.unit, config.scale);

@@ -77,8 +77,8 @@ struct Spectrum {
 ///     K_e = K^2 / (K + 2 sum_m (K - m) rho_m),    rho_m = (sum_n w_n w_(n+mD) / sum w^2)^2
 ///
 /// averages (Percival and Walden 1993, eq. 292b), D rows from one to the next, summed over the stretches.
-/// Errors: OutOfRange, NotFinite (configuration); of findEvenStretches(); Refused (no stretch is as long as a
-/// segment, or the rate drifts); that of `checkAbort`.
+/// Errors: OutOfRange, NotFinite (configuration); of findUniformSegments(); Refused (no stretch is as long as
+/// a segment, or the rate drifts); that of `checkAbort`.
 Result<Spectrum> spectrum(const SignalView& signal, const SpectrumConfig& config,
                           const AbortCheck& checkAbort = {});
 

@@ -40,8 +40,8 @@ bool isColumnTaken(const std::string& column, const Columns& known) {
 
 Result<void> checkName(const std::string& name, const Columns& known) {
     if (!Expression::isName(name)) {
-        return failure(ErrorCode::InvalidInput, fmt::format("'{}' is no name of a signal", name),
-                       "letters, digits, dots and underscores; it does not begin with a digit or a dot");
+        return failure(ErrorCode::InvalidInput, fmt::format("'{}' is not a valid signal name", name),
+                       "use letters, digits, dots and underscores; begin with a letter or underscore");
     }
     if (findColumn(known, name) != known.end() || name == Constant) {
         return failure(taken(name));
@@ -52,17 +52,17 @@ Result<void> checkName(const std::string& name, const Columns& known) {
 /// Units of the sources, in their order.
 Result<std::vector<std::string>> sourceUnits(const Expression& expression, const Columns& known) {
     if (expression.names().empty()) {
-        return failure(ErrorCode::InvalidInput, "the expression names no signal",
-                       "write names of signals as recordings have them, e.g. current.a");
+        return failure(ErrorCode::InvalidInput, "the expression contains no signal",
+                       "use signal names as in recordings, e.g. current.a");
     }
     std::vector<std::string> units;
     for (const std::string& name : expression.names()) {
         const auto found = findColumn(known, name);
         if (found == known.end()) {
             return failure(ErrorCode::InvalidInput,
-                           fmt::format("column {} of the expression: there is no signal '{}'",
+                           fmt::format("column {} of the expression: unknown signal '{}'",
                                        expression.columnOf(name), name),
-                           "write names of signals as recordings have them, e.g. current.a");
+                           "use signal names as in recordings, e.g. current.a");
         }
         units.push_back(found->unit);
     }
@@ -103,8 +103,8 @@ Result<Derivation> deriveSignal(const DerivedSignal& derived, const Columns& kno
     const std::optional<std::string> unit =
         derived.unit.empty() ? (*expression)->unit(*units) : std::optional(derived.unit);
     if (!unit) {
-        return failure(ErrorCode::InvalidInput, "no unit follows from the expression",
-                       "write the unit of the result, 1 for a number; terms of a sum need equal units");
+        return failure(ErrorCode::InvalidInput, "the unit of the expression cannot be determined",
+                       "give the unit of the result, 1 for a number; terms of a sum need equal units");
     }
     if (isColumnTaken(csvColumnName(derived.name, *unit), known)) {
         return failure(taken(derived.name));
@@ -132,9 +132,9 @@ struct DerivedSignals::Formula {
         values.resize(columns.size());
     }
 
-    double value(const SampleBlock& block, std::size_t row) {
+    double value(const BlockColumns& shown, const SampleBlock& block, std::size_t row) {
         for (std::size_t i = 0; i < columns.size(); ++i) {
-            values[i] = block.value(row, columns[i]);
+            values[i] = shown.value(block, row, columns[i]);
         }
         return expression->value(values);
     }
@@ -174,7 +174,7 @@ std::shared_ptr<const StreamLayout> DerivedSignals::layoutWith(const StreamLayou
     return extended;
 }
 
-SampleBlock DerivedSignals::with(SampleBlock block) {
+void DerivedSignals::addTo(BlockColumns& columns, const SampleBlock& block) {
     std::vector<Formula*> formulas;
     for (const auto& formula : m_formulas) {
         if (formula->isIn(*block.layout)) {
@@ -182,26 +182,38 @@ SampleBlock DerivedSignals::with(SampleBlock block) {
         }
     }
     if (formulas.empty()) {
-        return block;
+        return;
     }
     if (m_from != block.layout) { // one layout of the result for all blocks of a stream
         m_to = layoutWith(*block.layout, formulas);
         m_from = block.layout;
     }
-    std::vector<double> values;
-    const std::size_t columns = block.layout->columns.size();
-    values.reserve(block.rows() * m_to->columns.size());
-    for (std::size_t row = 0; row < block.rows(); ++row) {
-        const auto begin = block.values.begin() + static_cast<std::ptrdiff_t>(row * columns);
-        values.insert(values.end(), begin, begin + static_cast<std::ptrdiff_t>(columns));
-        for (Formula* formula : formulas) {
-            values.push_back(formula->value(block, row));
+    columns.layout = m_to;
+    for (Formula* formula : formulas) {
+        std::vector<double>& values = columns.added.emplace_back();
+        values.reserve(block.rows());
+        for (std::size_t row = 0; row < block.rows(); ++row) {
+            values.push_back(formula->value(columns, block, row));
         }
     }
-    block.values = std::move(values);
-    block.layout = m_to;
-    return block;
 }
+
+namespace {
+
+/// Row by row, the added columns behind those of the block.
+std::vector<double> valuesOf(const SampleBlock& block, const BlockColumns& columns) {
+    const std::vector<ColumnSource> sources = columns.sources(block);
+    std::vector<double> values;
+    values.reserve(block.rows() * sources.size());
+    for (std::size_t row = 0; row < block.rows(); ++row) {
+        for (const ColumnSource& source : sources) {
+            values.push_back(source.values[row * source.stride]);
+        }
+    }
+    return values;
+}
+
+} // namespace
 
 Result<Recording> withDerived(Recording recording, const std::vector<DerivedSignal>& list) {
     Columns known = recording.layout->columns;
@@ -214,10 +226,11 @@ Result<Recording> withDerived(Recording recording, const std::vector<DerivedSign
         DerivedSignals one;
         one.set({derived}, known);
         SampleBlock rows{recording.layout, std::move(recording.time_s), std::move(recording.values)};
-        SampleBlock longer = one.with(std::move(rows));
-        recording.layout = longer.layout;
-        recording.time_s = std::move(longer.time_s);
-        recording.values = std::move(longer.values);
+        BlockColumns columns;
+        one.addTo(columns, rows);
+        recording.values = valuesOf(rows, columns);
+        recording.time_s = std::move(rows.time_s);
+        recording.layout = columns.layout;
         known = recording.layout->columns;
     }
     return recording;

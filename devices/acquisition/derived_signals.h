@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control/base/block_columns.h"
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
 
@@ -47,9 +48,9 @@ public:
     };
     std::vector<Computed> computed() const;
 
-    /// The block with a column more for each whose sources are all in it; NaN where one is missing or where
-    /// the result is no number.
-    SampleBlock with(SampleBlock block);
+    /// Adds a column for each whose sources are all in the block; NaN where one is missing or where the
+    /// result is no number. Computed from the values that `columns` has for the block so far.
+    void addTo(BlockColumns& columns, const SampleBlock& block);
 
 private:
     struct Formula;

@@ -4,17 +4,17 @@
 
 namespace halbench::devices {
 
-void DisplayInbox::push(SampleBlockPtr block) {
+void DisplayInbox::push(TimedBlock block) {
     const std::lock_guard lock(m_mutex);
-    if (m_rows + block->rows() > m_capacity_rows) {
-        m_skippedRows += block->rows();
+    if (m_rows + block.rows() > m_capacity_rows) {
+        m_skippedRows += block.rows();
         return;
     }
-    m_rows += block->rows();
+    m_rows += block.rows();
     m_blocks.push_back(std::move(block));
 }
 
-std::vector<SampleBlockPtr> DisplayInbox::take() {
+std::vector<TimedBlock> DisplayInbox::take() {
     const std::lock_guard lock(m_mutex);
     m_rows = 0;
     return std::exchange(m_blocks, {});

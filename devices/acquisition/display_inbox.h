@@ -16,16 +16,16 @@ class DisplayInbox {
 public:
     explicit DisplayInbox(std::size_t capacity_rows) : m_capacity_rows(capacity_rows) {}
 
-    void push(SampleBlockPtr block);
+    void push(TimedBlock block);
     /// Everything since the last call, in order.
-    std::vector<SampleBlockPtr> take();
+    std::vector<TimedBlock> take();
     /// Rows that were left out because the inbox was full.
     std::uint64_t skippedRows() const;
 
 private:
     const std::size_t m_capacity_rows;
     mutable std::mutex m_mutex;
-    std::vector<SampleBlockPtr> m_blocks;
+    std::vector<TimedBlock> m_blocks;
     std::size_t m_rows = 0;
     std::uint64_t m_skippedRows = 0;
 };

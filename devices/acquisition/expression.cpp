@@ -32,26 +32,25 @@ Error mistakeAt(std::size_t column, const mu::ParserError& error) {
     switch (error.GetCode()) {
     case mu::ecEMPTY_EXPRESSION:
     case mu::ecUNEXPECTED_EOF:
-        return {ErrorCode::InvalidInput,
-                fmt::format("column {} of the expression: it ends too early", column), Known};
+        return {ErrorCode::InvalidInput, fmt::format("column {} of the expression: unexpected end", column),
+                Known};
     case mu::ecMISSING_PARENS:
-        return {ErrorCode::InvalidInput, fmt::format("column {} of the expression: a ) is missing", column),
-                "every ( has its )"};
+        return {ErrorCode::InvalidInput, fmt::format("column {} of the expression: missing )", column),
+                "close every ("};
     case mu::ecMISSING_ELSE_CLAUSE:
-        return {ErrorCode::InvalidInput, fmt::format("column {} of the expression: a : is missing", column),
-                "every ? has its :"};
+        return {ErrorCode::InvalidInput, fmt::format("column {} of the expression: missing :", column),
+                "every ? needs a :"};
     case mu::ecTOO_MANY_PARAMS:
         return {ErrorCode::InvalidInput,
-                fmt::format("column {} of the expression: too many arguments of {}", column, tokenOf(error)),
+                fmt::format("column {} of the expression: too many arguments for {}", column, tokenOf(error)),
                 Known};
     case mu::ecTOO_FEW_PARAMS:
         return {ErrorCode::InvalidInput,
-                fmt::format("column {} of the expression: too few arguments of {}", column, tokenOf(error)),
+                fmt::format("column {} of the expression: too few arguments for {}", column, tokenOf(error)),
                 Known};
     default:
         return {ErrorCode::InvalidInput,
-                fmt::format("column {} of the expression: '{}' is not expected here", column, tokenOf(error)),
-                Known};
+                fmt::format("column {} of the expression: unexpected '{}'", column, tokenOf(error)), Known};
     }
 }
 
@@ -108,12 +107,13 @@ bool Expression::isName(const std::string& name) {
 Result<std::unique_ptr<Expression>> Expression::read(const std::string& text) {
     if (const auto column = assignmentIn(text)) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("column {} of the expression: = sets nothing", *column), "== compares");
+                       fmt::format("column {} of the expression: = is not an operator", *column),
+                       "use == to compare");
     }
     if (text.size() > MostLetters) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("the expression has more than {} letters", MostLetters),
-                       "divide it: a derived signal of a recording may use those before it");
+                       fmt::format("the expression has more than {} characters", MostLetters),
+                       "split it: a derived signal may use the derived signals before it");
     }
     try {
         auto parser = std::make_unique<Parser>(text);
@@ -128,7 +128,7 @@ Result<std::unique_ptr<Expression>> Expression::read(const std::string& text) {
         parser->Eval(); // what only shows now: the number of arguments, a missing operator
         if (parser->GetNumResults() > 1) {
             return failure(ErrorCode::InvalidInput, "the expression has several results",
-                           "write one; the comma separates arguments of functions");
+                           "use one result; the comma separates function arguments");
         }
         expression->m_parser = std::move(parser);
         return expression;

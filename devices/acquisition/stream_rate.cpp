@@ -76,14 +76,13 @@ Result<void> checkStreamRate(const DeviceInfo& info, const Catalogue& catalogue,
     return failure(
         ErrorCode::OutOfRange,
         signals.size() == 1
-            ? fmt::format("one signal cannot come at {:.6g} Hz: board and link carry at most {:.6g} Hz",
+            ? fmt::format("one signal at {:.6g} Hz is not possible: maximum of device and link {:.6g} Hz",
                           rate_Hz, greatest_Hz)
-            : fmt::format("{} signals cannot come at {:.6g} Hz: board and link carry at most {:.6g} Hz",
+            : fmt::format("{} signals at {:.6g} Hz are not possible: maximum of device and link {:.6g} Hz",
                           signals.size(), rate_Hz, greatest_Hz),
-        info.transport == "serial"
-            ? "take a lower rate or fewer signals; a port that is USB all the way to the board is "
-              "faster than its baud rate: say so in its address with ?baud=12000000"
-            : "take a lower rate or fewer signals");
+        info.transport == "serial" ? "use a lower rate or fewer signals; for a port that is USB up to the "
+                                     "device, give its real speed in the address with ?baud=12000000"
+                                   : "use a lower rate or fewer signals");
 }
 
 } // namespace halbench::devices

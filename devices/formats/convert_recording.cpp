@@ -44,14 +44,14 @@ Writer writerFor(const std::string& path) {
 Result<void> checkWritten(const std::string& path) {
     return writerFor(path) != nullptr
                ? Result<void>()
-               : failure(ErrorCode::Usage, fmt::format("'{}' is of no format that can be written", path),
+               : failure(ErrorCode::Usage, fmt::format("'{}' has a format that cannot be written", path),
                          "this version writes .csv, .mf4 and .mat");
 }
 
 Result<void> checkFormats(const ConvertRequest& request) {
     const std::string& input = request.input;
     if (!endsWith(input, ".csv") && !isPartialRecording(input) && !isMdf4Recording(input)) {
-        return failure(ErrorCode::Usage, fmt::format("'{}' is of no format that can be read", input),
+        return failure(ErrorCode::Usage, fmt::format("'{}' has a format that cannot be read", input),
                        "this version reads .csv, .mf4 and .csv.partial (an interrupted recording)");
     }
     return checkWritten(request.output);
@@ -102,7 +102,7 @@ Result<std::vector<std::size_t>> columnsOf(const StreamLayout& layout,
                 known.push_back(column.name);
             }
             return failure(ErrorCode::UnknownName, fmt::format("the recording has no signal '{}'", signal),
-                           fmt::format("it has {}", fmt::join(known, ", ")));
+                           fmt::format("available: {}", fmt::join(known, ", ")));
         }
         columns.push_back(static_cast<std::size_t>(found - layout.columns.begin()));
     }
@@ -184,8 +184,8 @@ Result<Recording> selectPart(const Recording& recording, const std::vector<std::
     if (part.time_s.empty()) {
         return failure(ErrorCode::OutOfRange, "the recording has no rows in this interval",
                        recording.time_s.empty()
-                           ? std::string("it has no rows at all")
-                           : fmt::format("it reaches from {} s to {} s", recording.time_s.front(),
+                           ? std::string("it has no rows")
+                           : fmt::format("its range is {} s to {} s", recording.time_s.front(),
                                          recording.time_s.back()));
     }
     part.layout = std::make_shared<const StreamLayout>(std::move(layout));

@@ -80,7 +80,7 @@ Result<void> applyUnits(std::vector<CsvColumn>& columns, const CsvImportRequest&
             return failure(column.error());
         }
         if (!readForeignUnit(unit)) {
-            return failure(ErrorCode::UnknownName, fmt::format("'{}' is no unit that is known", unit),
+            return failure(ErrorCode::UnknownName, fmt::format("'{}' is not a known unit", unit),
                            "for example s, ms, us, rad, deg, rad/s, rpm, A, mA, T, mT, degC, or - for none");
         }
         setUnit(columns[*column], unit);
@@ -90,11 +90,12 @@ Result<void> applyUnits(std::vector<CsvColumn>& columns, const CsvImportRequest&
 
 Result<void> checkName(const std::string& signal) {
     if (isTimeName(signal)) {
-        return failure(ErrorCode::Usage, fmt::format("'{}' cannot name a signal: it is the time", signal),
-                       "choose the time's column with --time, or give --rate_Hz");
+        return failure(ErrorCode::Usage,
+                       fmt::format("'{}' is not allowed as a signal name: it is the time", signal),
+                       "choose the time column with --time, or give --rate_Hz");
     }
     if (plainName(signal) != signal || signal.empty() || !isLetter(signal[0])) {
-        return failure(ErrorCode::Usage, fmt::format("'{}' cannot name a signal", signal),
+        return failure(ErrorCode::Usage, fmt::format("'{}' is not allowed as a signal name", signal),
                        "a name has letters, digits, '.' and '_' and begins with a letter");
     }
     return {};
@@ -113,7 +114,7 @@ Result<void> applyMap(std::vector<CsvColumn>& columns, const CsvImportRequest& r
         }
         if (!ours.insert(signal).second) {
             return failure(ErrorCode::Usage, fmt::format("the name '{}' is given to two columns", signal),
-                           "give every column a name of its own");
+                           "use a different name for each column");
         }
         if (!theirs.insert(*column).second) {
             return failure(ErrorCode::Usage, fmt::format("column '{}' is given two names", header),
@@ -157,21 +158,21 @@ std::string shellWord(const std::string& text) {
 }
 
 void askForTime(CsvColumns& result) {
-    CsvQuestion question{"time", "which column is the time is not certain", {}};
+    CsvQuestion question{"time", "the time column is uncertain", {}};
     for (std::size_t i = 0; i < std::min(result.columns.size(), NamedColumns); ++i) {
         const std::string word = columnWord(result.columns, i);
         question.answers.push_back({"--time " + shellWord(word), fmt::format("column {}", i + 1), {}, word});
     }
-    question.answers.push_back({"--rate_Hz F", "there is none: F rows a second", {}, {}, {}, true});
+    question.answers.push_back({"--rate_Hz F", "no time column: F rows per second", {}, {}, {}, true});
     result.questions.push_back(std::move(question));
 }
 
 void askForUnit(CsvColumns& result, std::size_t index, const std::vector<std::string>& units) {
     const std::string word = columnWord(result.columns, index);
-    CsvQuestion question{"unit", fmt::format("the unit of column '{}' is not known", word), {}};
+    CsvQuestion question{"unit", fmt::format("the unit of column '{}' is unknown", word), {}};
     for (const std::string& unit : units) {
         question.answers.push_back(
-            {"--unit " + shellWord(word + "=" + unit), "its numbers are in " + unit, {}, {}, {word, unit}});
+            {"--unit " + shellWord(word + "=" + unit), "unit of its numbers: " + unit, {}, {}, {word, unit}});
     }
     result.questions.push_back(std::move(question));
 }
@@ -199,9 +200,9 @@ Result<void> chooseTime(CsvColumns& result, const CsvImportRequest& request) {
         askForUnit(result, *result.time, {"s", "ms", "us"});
     } else if (time.unit != "s") {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("column '{}' is in {}, which is no time",
+                       fmt::format("column '{}' is in {}, which is not a time unit",
                                    columnWord(result.columns, *result.time), time.written),
-                       "choose another with --time, or say its unit with --unit");
+                       "choose another column with --time, or give its unit with --unit");
     }
     return {};
 }
@@ -237,7 +238,7 @@ Result<void> checkQuantities(CsvColumns& result, const CsvImportRequest& request
                            fmt::format("column '{}' is in {}, but {} is in {}", columnWord(result.columns, i),
                                        column.written.empty() ? "no unit" : column.written, column.signal,
                                        *due),
-                           "map another column with --map, or say its unit with --unit");
+                           "map another column with --map, or give its unit with --unit");
         }
     }
     return {};
@@ -314,7 +315,7 @@ Result<CsvColumns> arrangeColumns(const std::vector<std::string>& names,
                 return failure(
                     ErrorCode::Usage,
                     fmt::format("column '{}' is the time and cannot be called '{}'", theirs, signal),
-                    "choose the time's column with --time, or give --rate_Hz");
+                    "choose the time column with --time, or give --rate_Hz");
             }
         }
         time.signal.clear();

@@ -105,7 +105,7 @@ Trials tryAll(std::vector<CsvAttempt> attempts, const std::vector<CsvLine>& line
 }
 
 CsvQuestion numbersQuestion(const std::vector<CsvAttempt>& alive) {
-    CsvQuestion question{"numbers", "how columns and numbers are written is not certain", {}};
+    CsvQuestion question{"numbers", "the format of columns and numbers is uncertain", {}};
     const auto differs = [&](auto member) {
         return std::any_of(alive.begin(), alive.end(), [&](const CsvAttempt& attempt) {
             return attempt.dialect.*member != alive.front().dialect.*member;
@@ -126,9 +126,8 @@ CsvQuestion numbersQuestion(const std::vector<CsvAttempt>& alive) {
         }
         question.answers.push_back(
             {option,
-             attempt.sample + (attempt.group != 0 ? " (thousands separators, which are not read: "
-                                                    "remove them)"
-                                                  : ""),
+             attempt.sample +
+                 (attempt.group != 0 ? " (thousands separators are not supported: remove them)" : ""),
              hints});
     }
     return question;
@@ -137,7 +136,7 @@ CsvQuestion numbersQuestion(const std::vector<CsvAttempt>& alive) {
 CsvQuestion headerQuestion(const CsvAttempt& attempt, const std::vector<CsvLine>& lines) {
     const bool hasNames = attempt.headers.front() != CsvHeader::None;
     CsvQuestion question{"header",
-                         fmt::format("whether line {} is a row of numbers or of {} is not certain",
+                         fmt::format("line {} may be a row of numbers or of {}",
                                      lines[hasNames && lines.size() > 1 ? 1 : 0].number,
                                      hasNames ? "units" : "names"),
                          {}};
@@ -151,13 +150,13 @@ CsvQuestion headerQuestion(const CsvAttempt& attempt, const std::vector<CsvLine>
 }
 
 tl::unexpected<Error> wrongAt(const std::string& origin, const CsvAttempt& attempt) {
-    return failure(ErrorCode::InvalidInput,
-                   fmt::format("{}:{}:{}: {}", origin, attempt.line, attempt.column, attempt.problem),
-                   attempt.group != 0
-                       ? "write numbers without them"
-                       : "a table has rows of equally many numbers, at most two lines of names and units "
-                         "before them, and comments that begin with #; --separator, --decimal and --header "
-                         "say how it is written");
+    return failure(
+        ErrorCode::InvalidInput,
+        fmt::format("{}:{}:{}: {}", origin, attempt.line, attempt.column, attempt.problem),
+        attempt.group != 0
+            ? "write numbers without thousands separators"
+            : "a table has rows of equal length, up to two lines of names and units above, and comments "
+              "beginning with #; set the format with --separator, --decimal and --header");
 }
 
 bool isInside(std::string_view text, char character) {
@@ -171,11 +170,11 @@ Result<void> checkText(std::string_view text, const std::string& origin) {
     const bool isWide = head.substr(0, 2) == "\xFF\xFE" || head.substr(0, 2) == "\xFE\xFF";
     if (isWide || head.find('\0') != std::string_view::npos) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("{}: {}", origin, isWide ? "UTF-16 text" : "zeros, so this is no text"),
+                       fmt::format("{}: {}", origin, isWide ? "UTF-16 text" : "zero bytes: not a text file"),
                        "save it as text in UTF-8");
     }
     if (head.find('\n') == std::string_view::npos && isInside(head, '\r')) {
-        return failure(ErrorCode::InvalidInput, fmt::format("{}:1:1: the lines end with CR alone", origin),
+        return failure(ErrorCode::InvalidInput, fmt::format("{}:1:1: lines end with CR only", origin),
                        "save it with line ends LF or CR LF");
     }
     return {};

@@ -114,19 +114,18 @@ tl::unexpected<Error> RowReader::wrongAt(const CsvLine& line, std::size_t column
 tl::unexpected<Error> RowReader::wrongCell(const CsvLine& line, const CsvCell& cell, CellKind kind) const {
     const std::string text(cell.text.substr(0, 40));
     if (kind == CellKind::TooLarge) {
-        return wrongAt(line, cell.column, fmt::format("'{}' is no number that can be held", text),
-                       "numbers reach from about 1e-308 to 1e308");
+        return wrongAt(line, cell.column, fmt::format("'{}' is out of the number range", text),
+                       "numbers range from about 1e-308 to 1e308");
     }
     for (const char mark : {',', '.', ' ', '\''}) {
         const bool isDecimal = mark == m_plan.dialect->decimal;
         if (!isDecimal && isGrouped(cell.text, mark)) {
             return wrongAt(line, cell.column, fmt::format("'{}' is written with thousands separators", text),
-                           "write numbers without them");
+                           "write numbers without thousands separators");
         }
     }
     return wrongAt(line, cell.column, fmt::format("'{}' is not a number", text),
-                   fmt::format("numbers of this table are written like -1{}5e-3; --decimal says otherwise",
-                               m_plan.dialect->decimal));
+                   fmt::format("write numbers like -1{}5e-3, or set --decimal", m_plan.dialect->decimal));
 }
 
 Result<void> RowReader::readCells(const CsvLine& line) {

@@ -85,11 +85,10 @@ Result<void> checkRate(const CsvImportRequest& request) {
     }
     if (!std::isfinite(*request.rate_Hz) || *request.rate_Hz < 1e-6 || *request.rate_Hz > 1e9) {
         return failure(ErrorCode::OutOfRange, "--rate_Hz: not between 1e-6 and 1e9",
-                       "give how many rows were sampled in a second");
+                       "give the sampling rate in rows per second");
     }
     if (!request.timeColumn.empty()) {
-        return failure(ErrorCode::Usage, "--time and --rate_Hz both say where the time comes from",
-                       "give one of them");
+        return failure(ErrorCode::Usage, "--time and --rate_Hz exclude each other", "give one of them");
     }
     return {};
 }

@@ -187,7 +187,7 @@ Result<void> writeMat(const std::string& path, const Recording& recording, const
     MatWriter writer(mat.get());
     writeVariables(writer, recording, meta);
     if (Mat_Close(mat.release()) != 0 || !writer.isWritten() || !isWhole(file, writer.sizes())) {
-        return failure(ErrorCode::FileSystem, fmt::format("cannot write '{}': it is not complete", path),
+        return failure(ErrorCode::FileSystem, fmt::format("cannot write '{}': incomplete", path),
                        "check that the folder can be written and the disk has room");
     }
     return {};

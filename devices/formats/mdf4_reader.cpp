@@ -20,7 +20,7 @@ using namespace mdf4;
 
 constexpr std::size_t RowsBetweenChecks = 1000;
 constexpr std::size_t MaxChannels = 1024;
-constexpr const char* Hint = "the file is damaged or another program wrote it; let that program export CSV";
+constexpr const char* Hint = "the file is damaged or from another program; export CSV there";
 
 /// One block that lies wholly inside the file.
 struct Block {
@@ -40,23 +40,23 @@ public:
     tl::unexpected<Error> wrongAt(std::string_view id, std::uint64_t offset, const std::string& what,
                                   const std::string& hint = Hint) const {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("{}: block {} at octet {}: {}", m_origin, id, offset, what), hint);
+                       fmt::format("{}: block {} at byte {}: {}", m_origin, id, offset, what), hint);
     }
 
     Result<Block> block(const Shape& shape, std::uint64_t offset) const {
         if (offset % 8 != 0 || offset > m_octets.size() || m_octets.size() - offset < shape.size()) {
-            return wrongAt(shape.id, offset, "it is not inside the file");
+            return wrongAt(shape.id, offset, "it is outside the file");
         }
         const std::string_view rest = m_octets.substr(offset);
         if (rest.substr(0, shape.id.size()) != shape.id) {
-            return wrongAt(shape.id, offset, "another block is there");
+            return wrongAt(shape.id, offset, "unexpected block type");
         }
         const auto length = get<std::uint64_t>(rest, 8);
         if (length < shape.size() || length > rest.size()) {
-            return wrongAt(shape.id, offset, fmt::format("its length {} cannot be", length));
+            return wrongAt(shape.id, offset, fmt::format("invalid length {}", length));
         }
         if (get<std::uint64_t>(rest, 16) != shape.links) {
-            return wrongAt(shape.id, offset, "it has other links");
+            return wrongAt(shape.id, offset, "unexpected links");
         }
         const std::size_t begin = HeaderSize + LinkSize * shape.links;
         return Block{shape.id, offset, rest.substr(HeaderSize, begin - HeaderSize),
@@ -92,19 +92,19 @@ Result<void> checkIdentification(const Reader& reader) {
     const std::string_view octets = reader.octets();
     if (octets.size() < IdentificationSize || (octets.substr(0, FinalisedId.size()) != FinalisedId &&
                                                octets.substr(0, UnfinalisedId.size()) != UnfinalisedId)) {
-        return reader.wrongAt("ID", 0, "this is no MDF file", "give a file that begins with \"MDF\"");
+        return reader.wrongAt("ID", 0, "not an MDF file", "the file must begin with \"MDF\"");
     }
     if (octets.substr(0, UnfinalisedId.size()) == UnfinalisedId || get<std::uint32_t>(octets, 60) != 0) {
         return reader.wrongAt("ID", 0, "the file is not finalised",
-                              "its writing was interrupted; write it again");
+                              "writing was interrupted; write it again");
     }
     if (get<std::uint16_t>(octets, 28) != Version) {
         return reader.wrongAt("ID", 28, fmt::format("version {}", get<std::uint16_t>(octets, 28)),
                               "only version 410 is read");
     }
     if (octets.substr(16, Program.size()) != Program) {
-        return reader.wrongAt("ID", 16, "another program wrote the file",
-                              "only MDF4 files of Halbench are read; let that program export CSV");
+        return reader.wrongAt("ID", 16, "the file is from another program",
+                              "only MDF4 files of Halbench can be read; export CSV in that program");
     }
     return {};
 }
@@ -173,7 +173,7 @@ Result<RecordingMeta::SignalNote> readSignal(Reader& reader, const Block& channe
     }
     const std::string signal = note.signal.empty() ? std::string(*name) : note.signal;
     if (!isName(signal)) {
-        return reader.wrongAt(Cn.id, channel.offset, "no signal can have this name");
+        return reader.wrongAt(Cn.id, channel.offset, "not a valid signal name");
     }
     return RecordingMeta::SignalNote{signal, csvColumnName(signal, std::string(*unit)), std::string(*unit),
                                      note.role, note.expression};
@@ -197,8 +197,7 @@ Result<void> readChannels(Reader& reader, const Block& group, RecordingMeta& met
                 return failure(signal.error());
             }
             if (!seen.insert({signal->name, signal->unit}).second) {
-                return reader.wrongAt(Cn.id, offset,
-                                      fmt::format("column '{}' is there twice", signal->column));
+                return reader.wrongAt(Cn.id, offset, fmt::format("column '{}' occurs twice", signal->column));
             }
             layout.columns.push_back({signal->name, signal->unit});
             meta.signals.push_back(*std::move(signal));
@@ -206,7 +205,7 @@ Result<void> readChannels(Reader& reader, const Block& group, RecordingMeta& met
         offset = channel->link(0);
     }
     if (count == 0 || get<std::uint32_t>(group.data, 24) != count * sizeof(double)) {
-        return reader.wrongAt(Cg.id, group.offset, "its rows do not hold its channels");
+        return reader.wrongAt(Cg.id, group.offset, "its row length does not match its channels");
     }
     nameColumnsOf(layout, meta);
     return {};
@@ -222,7 +221,7 @@ Result<void> readEvents(Reader& reader, std::uint64_t offset, RecordingMeta& met
             static_cast<double>(get<std::int64_t>(event->data, 16)) * get<double>(event->data, 24);
         const std::uint64_t next = event->link(0);
         if (!std::isfinite(time_s) || (next != 0 && next <= offset)) { // a chain never ends in itself
-            return reader.wrongAt(Ev.id, offset, "its time or its neighbour cannot be");
+            return reader.wrongAt(Ev.id, offset, "its time channel or link is invalid");
         }
         const Result<std::string_view> name = reader.text(Tx, event->link(3));
         const Result<std::string_view> comment = reader.text(Md, event->link(4));
@@ -248,7 +247,7 @@ Result<void> readRows(const Reader& reader, const Block& data, std::uint64_t row
                       const std::function<Result<void>()>& checkAbort, Recording& recording) {
     const std::size_t width = (columns + 1) * sizeof(double);
     if (data.data.size() % width != 0 || data.data.size() / width != rows) {
-        return reader.wrongAt(Dt.id, data.offset, fmt::format("its length is not that of {} rows", rows));
+        return reader.wrongAt(Dt.id, data.offset, fmt::format("its length does not match {} rows", rows));
     }
     recording.time_s.reserve(rows);
     recording.values.reserve(rows * columns);

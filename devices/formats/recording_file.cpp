@@ -59,11 +59,11 @@ Result<std::string> readText(const std::string& path, qint64 limit) {
     if (file.size() > limit) {
         const std::string hint =
             isMdf4Recording(path)
-                ? fmt::format("at most {} are read; write it in parts, with --from and --to", limit)
+                ? fmt::format("at most {} can be read; write parts with --from and --to", limit)
                 : fmt::format(
                       "at most {} are read; cut the file into pieces that each begin with its first line",
                       limit);
-        return failure(ErrorCode::InvalidInput, fmt::format("'{}' has {} octets", path, file.size()), hint);
+        return failure(ErrorCode::InvalidInput, fmt::format("'{}' has {} bytes", path, file.size()), hint);
     }
     std::string text(static_cast<std::size_t>(file.size()), '\0');
     qint64 length = 0;
@@ -202,14 +202,14 @@ void readPartialMeta(const std::string& path, RecordedFile& file) {
 /// Only where nothing was recorded may anybody remove it.
 tl::unexpected<Error> noRowsIn(const std::string& path, bool isEmpty, std::string_view journal) {
     if (isEmpty) {
-        return failure(ErrorCode::InvalidInput, fmt::format("'{}' holds no whole row", path),
+        return failure(ErrorCode::InvalidInput, fmt::format("'{}' has no complete row", path),
                        "nothing was recorded before the interruption; the file can be removed");
     }
     return failure(
-        ErrorCode::InvalidInput, fmt::format("no row of '{}' is undamaged", path),
+        ErrorCode::InvalidInput, fmt::format("'{}' has no undamaged row", path),
         journal.empty()
-            ? std::string("it stays as it is: what is in it can be read as text")
-            : fmt::format("it stays as it is; to read what its checksums do not confirm, move '{}' away",
+            ? std::string("the file is not changed: its content can be read as text")
+            : fmt::format("the file is not changed; move '{}' away to read the data without checksum",
                           journalPathOf(finalPathOf(path))));
 }
 

@@ -91,9 +91,10 @@ tl::unexpected<Error> notTheUnit(const std::string& origin, const std::string& h
                                  const WrittenUnit& written, const std::string& due) {
     const std::string hint =
         due == "degC" && written.unit == "deg"
-            ? "deg is an angle: degrees Celsius are written degC"
-            : fmt::format("name the column after what it is, e.g. {}; halbench import --unit says the unit",
-                          csvColumnName(written.signal, due));
+            ? "deg is an angle unit; write degrees Celsius as degC"
+            : fmt::format(
+                  "name the column with its quantity, e.g. {}, or give the unit with halbench import --unit",
+                  csvColumnName(written.signal, due));
     return failure(ErrorCode::InvalidInput,
                    fmt::format("{}:1: column '{}' is in '{}', but {} is in {}", origin, header, written.unit,
                                written.signal, due),
@@ -122,7 +123,7 @@ Result<void> checkNotes(const RecordingMeta& meta, const std::string& origin) {
             return failure(ErrorCode::InvalidInput,
                            fmt::format("{}: signals[{}].unit: '{}' contradicts the column '{}'",
                                        metaPathOf(origin), i, note.unit, note.column),
-                           "correct the unit, or remove the sidecar to read the data without it");
+                           "correct the unit, or remove the .meta.json file to read the data without it");
         }
     }
     return {};
@@ -163,8 +164,8 @@ Result<void> convertToSi(RecordedFile& file, const std::vector<bool>& isNoted, c
             continue;
         }
         if (written.unit.empty()) {
-            file.warnings.push_back(fmt::format("unit of column '{}' in '{}': none is written, {} is assumed",
-                                                header, name, *due));
+            file.warnings.push_back(
+                fmt::format("unit of column '{}' in '{}': missing, {} is assumed", header, name, *due));
             layout.columns[i].unit = *due;
             continue;
         }

@@ -20,8 +20,8 @@ constexpr double Rounding_s = 1e-9;
 constexpr double BlockDuration_s = 0.010;
 
 tl::unexpected<Error> readOnly() {
-    return failure(ErrorCode::DeviceRefused, "a recording cannot be changed, armed or stopped",
-                   "use a real or simulated device");
+    return failure(ErrorCode::DeviceRefused, "this is a recording: it cannot be changed, armed or stopped",
+                   "connect a real or simulated device");
 }
 
 class ReplayDevice final : public Device, private Clock {
@@ -178,8 +178,8 @@ Result<void> ReplayDevice::startStream(const StreamRequest& request, BlockSink s
     if (!(divider > 1.0 - Tolerance) || std::abs(divider - std::round(divider)) > Tolerance * divider) {
         return failure(
             ErrorCode::OutOfRange,
-            fmt::format("the recording of {} Hz cannot be played at {} Hz", recorded_Hz, request.rate_Hz),
-            fmt::format("give a rate that divides {} Hz", recorded_Hz));
+            fmt::format("the recording of {} Hz cannot be replayed at {} Hz", recorded_Hz, request.rate_Hz),
+            fmt::format("use a rate that divides {} Hz", recorded_Hz));
     }
     StreamLayout layout;
     layout.period_s = data().layout->period_s * std::round(divider);
@@ -241,7 +241,7 @@ Result<void> ReplayDevice::waitFor(double duration_s) {
     m_now_s = std::min(end_s, last_s);
     if (end_s > last_s + Rounding_s) {
         return failure(ErrorCode::DeviceLost, fmt::format("the recording ends at {} s", last_s),
-                       "ask for a shorter time");
+                       "use a shorter time");
     }
     return {};
 }
@@ -285,7 +285,7 @@ Result<std::unique_ptr<Device>> openReplayDevice(const std::string& uri, const s
     if (!(source.begin_s <= length_s)) {
         return failure(ErrorCode::OutOfRange,
                        fmt::format("the recording ends at {} s, before {} s", length_s, source.begin_s),
-                       "begin earlier");
+                       "use a start time before the end");
     }
     return std::unique_ptr<Device>(
         std::make_unique<ReplayDevice>(uri, source.path, *std::move(file), source.begin_s));

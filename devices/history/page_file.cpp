@@ -255,11 +255,11 @@ bool PageFile::openSegment(std::unique_lock<std::mutex>& lock, std::size_t bytes
 void PageFile::onWriteFailure(int cause) {
     const bool isFull = isFullDisk(cause);
     if (isFull) {
-        report(fmt::format("no room for more history in '{}': {}", m_config.folder, std::strerror(cause)),
-               "the oldest samples are dropped earlier; recordings are not concerned; free disk space");
+        report(fmt::format("no space for more history in '{}': {}", m_config.folder, std::strerror(cause)),
+               "the oldest samples are dropped earlier; recordings are not affected; free disk space");
     } else {
         report(fmt::format("cannot keep history in '{}': {}", m_config.folder, std::strerror(cause)),
-               "the oldest samples are dropped when memory is full; recordings are not concerned; check the "
+               "the oldest samples are dropped when memory is full; recordings are not affected; check the "
                "folder and the disk");
     }
     const bool isSomethingKept =

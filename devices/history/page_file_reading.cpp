@@ -41,9 +41,9 @@ bool PageFile::readPart(const Stretch& stretch, const FetchedPart& part, std::ve
 }
 
 void PageFile::reportUnread(int cause) {
-    report(fmt::format("the history in '{}' cannot be read back: {}", m_config.folder,
+    report(fmt::format("the history in '{}' cannot be read: {}", m_config.folder,
                        cause == 0 ? "damaged (checksum)" : std::strerror(cause)),
-           "what was recorded there is shown as a gap; recordings are not concerned; check the disk");
+           "a gap is shown instead; recordings are not affected; check the disk");
 }
 
 bool PageFile::read(Page page, std::size_t part, std::span<std::byte> octets) {

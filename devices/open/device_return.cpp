@@ -15,8 +15,8 @@ Result<void> DeviceReturn::noteLost(double now_s) {
     if (m_unsettled >= m_times.mostUnsettled) {
         return failure(
             ErrorCode::Refused,
-            fmt::format("{} came back and was lost again {} times in a row", m_former.uri, m_unsettled),
-            "another program may be using it, or a plug is loose; then connect again");
+            fmt::format("{} reconnected and was lost again {} times in a row", m_former.uri, m_unsettled),
+            "check for another program or a loose connector, then connect again");
     }
     m_pause_s = m_times.first_s;
     m_next_s = now_s + m_pause_s;
@@ -47,13 +47,13 @@ Result<void> DeviceReturn::checkIdentity(const DeviceInfo& found) const {
         return failure(ErrorCode::Refused,
                        fmt::format("another device answers at {}: {} instead of {}", m_former.uri, found.id,
                                    m_former.id),
-                       "plug the former one in again, or disconnect and connect this one");
+                       "plug in the previous device, or disconnect and connect this one");
     }
     if (found.firmware != m_former.firmware) {
         return failure(ErrorCode::Refused,
-                       fmt::format("{} came back with other firmware: {} instead of {}", m_former.id,
+                       fmt::format("{} reconnected with other firmware: {} instead of {}", m_former.id,
                                    found.firmware, m_former.firmware),
-                       "its signals and parameters may be others: disconnect, then connect again");
+                       "signals and parameters may differ: disconnect, then connect again");
     }
     return {};
 }

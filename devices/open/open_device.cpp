@@ -53,17 +53,17 @@ Result<std::string> readDescriptionFile(const std::string& path) {
         return failure(
             ErrorCode::FileSystem,
             fmt::format("the description '{}' cannot be read: {}", path, file.errorString().toStdString()),
-            "give the A2L file that belongs to the board's firmware");
+            "give the A2L file for the device's firmware");
     }
     if (file.size() > static_cast<qint64>(xcp::MaxA2lSize)) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("the description '{}' has {} octets", path, file.size()),
+                       fmt::format("the description '{}' has {} bytes", path, file.size()),
                        fmt::format("at most {} are read", xcp::MaxA2lSize));
     }
     std::string text = file.readAll().toStdString();
     if (const Result<xcp::A2lDescription> description = xcp::parseA2l(text); !description) {
         return failure(ErrorCode::InvalidInput, fmt::format("{}: {}", path, description.error().message),
-                       "give the A2L file that belongs to the board's firmware");
+                       "give the A2L file for the device's firmware");
     }
     return text;
 }
@@ -97,7 +97,7 @@ Result<std::unique_ptr<Device>> openReplay(const DeviceUri& uri, const OpenOptio
         const int signal = options.interruptSignal != nullptr ? options.interruptSignal->load() : 0;
         if (signal != 0 || (options.orders && options.orders->isLeaving)) {
             return failure(signal != 0 ? codeOfSignal(signal) : ErrorCode::Interrupted,
-                           fmt::format("{}: given up", uri.text));
+                           fmt::format("{}: connection attempt ended", uri.text));
         }
         return {};
     };

@@ -49,7 +49,7 @@ Result<int> numberOf(const Option& option, int base, int min, int max) {
     const bool isNumber = read.ec == std::errc{} && read.ptr == text.data() + text.size();
     if (!isNumber || number < min || number > max) {
         return wrongOption(option, ErrorCode::OutOfRange,
-                           base == 16 ? "give one octet in hexadecimal digits, like 9A"
+                           base == 16 ? "give one byte in hexadecimal digits, e.g. 9A"
                                       : fmt::format("give a whole number from {} to {}", min, max));
     }
     return number;
@@ -140,7 +140,7 @@ Result<SerialAddress> parseSerialAddress(const DeviceUri& uri) {
     if (profile.sync == profile.escape) {
         return failure(ErrorCode::InvalidInput,
                        fmt::format("device '{}': sync and escape are the same", uri.text),
-                       "give two different octets");
+                       "use two different bytes");
     }
     address.profiles = isProfileGiven ? std::vector{profile} : usualProfiles();
     return address;
@@ -165,7 +165,7 @@ Result<void> refuseOptions(const DeviceUri& uri) {
     }
     return failure(ErrorCode::UnknownName,
                    fmt::format("device '{}': unknown option '{}'", uri.text, uri.options.front().first),
-                   fmt::format("a {}: address has no option but a2l", uri.scheme));
+                   fmt::format("{}: addresses accept no option except a2l", uri.scheme));
 }
 
 Result<std::unique_ptr<Transport>> makeUsbTransport(const DeviceUri& uri) {

@@ -57,7 +57,7 @@ Result<std::string> addressNow(const RememberedPort& port, const std::vector<Dev
     if (places.empty()) {
         return failure(ErrorCode::DeviceLost,
                        fmt::format("no device with the serial number '{}' is plugged in", port.serial),
-                       "plug it in; any port will do");
+                       "plug it in to any port");
     }
     if (places.size() > 1) {
         return failure(ErrorCode::DeviceLost,

@@ -1,6 +1,6 @@
 #include "devices/open/returning_device.h"
 
-#include "devices/open/gone_device.h"
+#include "devices/open/disconnected_device.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +95,7 @@ Result<void> ReturningDevice::waitFor(double duration_s) {
 
 /// The port is closed at once, so that it is free to be opened again.
 Result<void> ReturningDevice::lose(const Error& error) {
-    m_device = std::make_unique<GoneDevice>(*m_device, m_device->clock().now_s(), error);
+    m_device = std::make_unique<DisconnectedDevice>(*m_device, m_device->clock().now_s(), error);
     m_lostHost_s = m_time.now_s();
     m_lost = error;
     const Result<void> goOn = m_return.noteLost(m_lostHost_s);

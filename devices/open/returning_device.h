@@ -69,7 +69,7 @@ private:
     Result<void> takeBack(std::unique_ptr<Device> device);
     BlockSink onGrid(double shift_s);
 
-    std::unique_ptr<Device> m_device; ///< a GoneDevice while it is away
+    std::unique_ptr<Device> m_device; ///< a DisconnectedDevice while it is away
     DeviceInfo m_info;
     Catalogue m_catalogue;
     DeviceReturn m_return;

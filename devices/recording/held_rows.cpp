@@ -25,32 +25,32 @@ SampleBlockPtr cutAt(const SampleBlock& block, std::size_t row) {
 
 } // namespace
 
-void HeldRows::add(SampleBlockPtr block) {
-    if (block->rows() == 0) {
-        m_lostBefore += block->lostRows;
+void HeldRows::add(TimedBlock block) {
+    if (block.rows() == 0) {
+        m_lostBefore += block.block->lostRows;
         return;
     }
     if (m_lostBefore > 0) {
-        auto later = std::make_shared<SampleBlock>(*block);
+        auto later = std::make_shared<SampleBlock>(*block.block);
         later->lostRows += std::exchange(m_lostBefore, 0);
-        block = std::move(later);
+        block.block = std::move(later);
     }
-    if (newest_s() && block->time_s.front() <= *newest_s()) {
+    if (newest_s() && block.begin_s() <= *newest_s()) {
         clear();
     }
     // An event in this block may lie right behind the row before it.
-    const double needed_s = newest_s().value_or(block->time_s.front()) - m_length_s;
-    m_rows += block->rows();
-    m_bytes += bytesOf(*block);
+    const double needed_s = newest_s().value_or(block.begin_s()) - m_length_s;
+    m_rows += block.rows();
+    m_bytes += bytesOf(*block.block);
     m_blocks.push_back(std::move(block));
-    while (m_blocks.size() > 1 && (m_blocks.front()->time_s.back() < needed_s || m_bytes > m_budget_bytes)) {
+    while (m_blocks.size() > 1 && (m_blocks.front().end_s() < needed_s || m_bytes > m_budget_bytes)) {
         dropOldest();
     }
 }
 
 void HeldRows::dropOldest() {
-    m_rows -= m_blocks.front()->rows();
-    m_bytes -= bytesOf(*m_blocks.front());
+    m_rows -= m_blocks.front().rows();
+    m_bytes -= bytesOf(*m_blocks.front().block);
     m_blocks.pop_front();
 }
 
@@ -61,28 +61,31 @@ void HeldRows::clear() {
     m_lostBefore = 0;
 }
 
-std::vector<SampleBlockPtr> HeldRows::from(double begin_s) const {
-    std::vector<SampleBlockPtr> blocks;
-    for (const SampleBlockPtr& block : m_blocks) {
-        if (block->time_s.back() < begin_s) {
+std::vector<TimedBlock> HeldRows::from(double begin_s) const {
+    std::vector<TimedBlock> blocks;
+    for (const TimedBlock& block : m_blocks) {
+        if (block.end_s() < begin_s) {
             continue;
         }
         if (!blocks.empty()) {
             blocks.push_back(block);
             continue;
         }
-        const auto first = std::lower_bound(block->time_s.begin(), block->time_s.end(), begin_s);
-        blocks.push_back(cutAt(*block, static_cast<std::size_t>(first - block->time_s.begin())));
+        const auto& times_s = block.block->time_s;
+        const auto first = std::partition_point(
+            times_s.begin(), times_s.end(), [&](double time_s) { return time_s + block.shift_s < begin_s; });
+        blocks.push_back(
+            {cutAt(*block.block, static_cast<std::size_t>(first - times_s.begin())), block.shift_s});
     }
     return blocks;
 }
 
 std::optional<double> HeldRows::oldest_s() const {
-    return m_blocks.empty() ? std::nullopt : std::optional(m_blocks.front()->time_s.front());
+    return m_blocks.empty() ? std::nullopt : std::optional(m_blocks.front().begin_s());
 }
 
 std::optional<double> HeldRows::newest_s() const {
-    return m_blocks.empty() ? std::nullopt : std::optional(m_blocks.back()->time_s.back());
+    return m_blocks.empty() ? std::nullopt : std::optional(m_blocks.back().end_s());
 }
 
 } // namespace halbench::devices

@@ -21,11 +21,11 @@ public:
     explicit HeldRows(double length_s, std::size_t budget_bytes = UsualBudget_bytes)
         : m_length_s(length_s), m_budget_bytes(budget_bytes) {}
 
-    void add(SampleBlockPtr block);
+    void add(TimedBlock block);
     void clear();
 
     /// The rows from a time on, in order. Before the first of them nothing is missing.
-    std::vector<SampleBlockPtr> from(double begin_s) const;
+    std::vector<TimedBlock> from(double begin_s) const;
     std::optional<double> oldest_s() const;
     std::optional<double> newest_s() const;
     std::size_t rows() const { return m_rows; }
@@ -36,7 +36,7 @@ private:
 
     double m_length_s;
     std::size_t m_budget_bytes;
-    std::deque<SampleBlockPtr> m_blocks; ///< none of them without rows
+    std::deque<TimedBlock> m_blocks; ///< none of them without rows
     std::size_t m_rows = 0;
     std::size_t m_bytes = 0;
     std::uint64_t m_lostBefore = 0; ///< told by blocks without rows since the last one

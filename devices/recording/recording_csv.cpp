@@ -1,5 +1,6 @@
 #include "devices/recording/recording_csv.h"
 
+#include "control/base/unit_conversion.h"
 #include "control/base/units.h"
 #include "devices/recording/time_axis.h"
 
@@ -10,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -84,10 +86,29 @@ std::size_t columnPlace(const std::vector<std::string_view>& fields, std::size_t
     return static_cast<std::size_t>(fields[index].data() - fields[0].data()) + 1;
 }
 
-Result<StreamLayout> readHeader(const Line& line, const std::string& origin) {
+/// "time_ms", "time [us]", "time (min)": the first column counts in another unit of time than seconds.
+std::optional<UnitConversion> timeConversion(std::string_view header) {
+    constexpr std::string_view Name = "time";
+    if (header.size() < Name.size() + 2 || header.substr(0, Name.size()) != Name) {
+        return std::nullopt;
+    }
+    std::string_view unit = header.substr(Name.size());
+    unit.remove_prefix(unit.front() == '_' || unit.front() == ' ' ? 1 : 0);
+    const bool isBracketed = unit.size() > 2 && ((unit.front() == '[' && unit.back() == ']') ||
+                                                 (unit.front() == '(' && unit.back() == ')'));
+    if (isBracketed) {
+        unit = unit.substr(1, unit.size() - 2);
+    } else if (header[Name.size()] != '_') {
+        return std::nullopt;
+    }
+    return conversionBetween(unit, "s");
+}
+
+Result<StreamLayout> readHeader(const Line& line, const std::string& origin, bool isTime = false) {
     const std::vector<std::string_view> fields = line.fields();
-    constexpr const char* Hint = "a recording begins with the line time_s,SIGNAL_UNIT,...";
-    if (fields[0] != "time_s") {
+    constexpr const char* Hint =
+        "a recording begins with the line time_s,SIGNAL_UNIT,...; read other tables with 'halbench import'";
+    if (fields[0] != "time_s" && !isTime) {
         return wrongAt(origin, line.number, 1, "the first column is not time_s", Hint);
     }
     if (fields.size() > MaxColumns) {
@@ -100,7 +121,7 @@ Result<StreamLayout> readHeader(const Line& line, const std::string& origin) {
         if (fields[i].empty() || !seen.insert(fields[i]).second) {
             return wrongAt(origin, line.number, columnPlace(fields, i),
                            fields[i].empty() ? std::string("a column has no name")
-                                             : fmt::format("column '{}' is there twice", fields[i]),
+                                             : fmt::format("column '{}' occurs twice", fields[i]),
                            Hint);
         }
         layout.columns.push_back(columnOf(fields[i]));
@@ -154,7 +175,7 @@ Result<void> readRow(const Line& line, const std::string& origin, std::size_t co
         if (!readNumber(fields[i], value)) {
             return wrongAt(origin, line.number, columnPlace(fields, i),
                            fmt::format("'{}' is not a number", fields[i].substr(0, 40)),
-                           "numbers are written like -1.5e-3, with a point");
+                           "write numbers like -1.5e-3, with a decimal point");
         }
         (i == 0 ? recording.time_s : recording.values).push_back(value);
     }
@@ -258,7 +279,7 @@ Result<void> RecordingCsvParser::feed(std::string_view piece) {
         if (m_begun.size() + text.size() > MaxLine) {
             return wrongAt(m_origin, m_number + 1, 1,
                            fmt::format("more than {} characters in a line", MaxLine),
-                           "the file may be damaged, or no recording");
+                           "the file may be damaged or not a recording");
         }
         if (end == std::string_view::npos) {
             m_begun += text;
@@ -281,7 +302,9 @@ Result<void> RecordingCsvParser::takeLine(std::string_view text) {
     }
     if (++m_number == 1) {
         text.remove_prefix(text.substr(0, 3) == "\xEF\xBB\xBF" ? 3 : 0);
-        Result<StreamLayout> layout = readHeader({text, m_number}, m_origin);
+        m_toSeconds = timeConversion(text.substr(0, text.find(','))).value_or(UnitConversion{});
+        const bool isTime = !m_toSeconds.isIdentity();
+        Result<StreamLayout> layout = readHeader({text, m_number}, m_origin, isTime);
         if (!layout) {
             return failure(layout.error());
         }
@@ -309,7 +332,7 @@ Result<void> RecordingCsvParser::check() const {
     if (octets > m_most_octets) {
         return wrongAt(m_origin, m_number, 1,
                        fmt::format("its numbers need more than {} MB of memory", m_most_octets >> 20U),
-                       "cut the file into pieces that each begin with its first line");
+                       "split the file; each part begins with its first line");
     }
     return m_checkAbort ? m_checkAbort() : Result<void>();
 }
@@ -331,6 +354,9 @@ Result<Recording> RecordingCsvParser::finish() {
     }
     if (m_number == 0) {
         return wrongAt(m_origin, 1, 1, "the file is empty", "a recording begins with the line time_s,...");
+    }
+    if (!m_toSeconds.isIdentity()) {
+        std::ranges::transform(m_recording.time_s, m_recording.time_s.begin(), m_toSeconds);
     }
     m_layout.period_s = nominalPeriod(m_recording.time_s);
     m_recording.lostRows = countLostRows(m_recording.time_s, m_layout.period_s);

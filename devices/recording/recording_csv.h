@@ -2,6 +2,7 @@
 
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
+#include "control/base/unit_conversion.h"
 
 #include <cstdint>
 #include <functional>
@@ -38,10 +39,10 @@ void appendCsvRows(std::string& text, const SampleBlock& block, CsvNumbers numbe
 void appendCsvNumber(std::string& text, double value, CsvNumbers numbers = CsvNumbers::BoardFloats);
 
 /// Reads such a text. Columns become signals named by the column without its unit suffix; an empty field,
-/// "nan" and "inf" read as NaN. Rows missing in the time axis are counted as lost. Errors: InvalidInput with
-/// line and column of `origin` (no time_s column, wrong number of fields, text where a number is due, time
-/// that does not increase, a line of more than a megabyte); that of `checkAbort`, which is asked every
-/// thousand rows.
+/// "nan" and "inf" read as NaN. A first column in another unit of time ("time_ms", "time [us]") is converted.
+/// Rows missing in the time axis are counted as lost. Errors: InvalidInput with line and column of `origin`
+/// (no time_s column, wrong number of fields, text where a number is due, time that does not increase, a line
+/// of more than a megabyte); that of `checkAbort`, which is asked every thousand rows.
 Result<Recording> parseRecordingCsv(std::string_view text, const std::string& origin,
                                     const std::function<Result<void>()>& checkAbort = {});
 
@@ -74,6 +75,7 @@ private:
     std::function<Result<void>()> m_checkAbort;
     std::string m_begun; ///< of a line whose end has not come
     std::size_t m_number = 0;
+    UnitConversion m_toSeconds; ///< of the first column
     StreamLayout m_layout;
     Recording m_recording;
 };

@@ -234,12 +234,12 @@ Result<RecordingMeta> parseMetaJson(const std::string& text, const std::string& 
     if (error.error != QJsonParseError::NoError) {
         return failure(
             ErrorCode::InvalidInput,
-            fmt::format("{}: octet {}: {}", origin, error.offset, error.errorString().toStdString()),
-            "remove the sidecar to read the data without it");
+            fmt::format("{}: byte {}: {}", origin, error.offset, error.errorString().toStdString()),
+            "remove the .meta.json file to read the data without it");
     }
     if (stringOf(root, "schema") != Schema) {
         return failure(ErrorCode::InvalidInput, fmt::format("{}: \"schema\" is not \"{}\"", origin, Schema),
-                       "remove the sidecar to read the data without it");
+                       "remove the .meta.json file to read the data without it");
     }
     RecordingMeta meta;
     meta.device = deviceOf(root.value(QLatin1String("device")).toObject());

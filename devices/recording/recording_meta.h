@@ -57,7 +57,7 @@ struct RecordingMeta {
 /// What is to be said of a recording whose device had a description of another firmware
 /// (DeviceInfo::otherFirmware).
 std::string otherFirmwareWarning(const DeviceInfo& device);
-inline constexpr const char* OtherFirmwareHint = "record it again with the description of this firmware";
+inline constexpr const char* OtherFirmwareHint = "record again with the description of this firmware";
 /// What a warning of the reader is about.
 bool isFirmwareWarning(const std::string& warning);
 

@@ -139,7 +139,7 @@ RecordingWriter::RecordingWriter(const std::string& path, WriterOptions options,
 Result<void> RecordingWriter::open() {
     const auto taken =
         failure(ErrorCode::Usage, fmt::format("'{}' is being written by another program", m_partial),
-                "wait for its end or give another name");
+                "wait until it is finished, or use another name");
     if (QFile old(pathOf(m_partial)); old.open(QIODevice::ReadOnly) && old.size() > 0) {
         if (!lock(old)) {
             return taken;

@@ -16,8 +16,7 @@ constexpr std::size_t RowsBefore = 32;
 
 /// The rows missing before `row`, which the grid takes.
 std::uint64_t takeRow(RowGrid& grid, const std::vector<double>& time_s, std::size_t row) {
-    const std::size_t known = std::min(time_s.size() - row, RowGrid::LookAhead + 1);
-    const std::uint64_t missing = grid.missingBefore(std::span(time_s).subspan(row, known));
+    const std::uint64_t missing = grid.missingBefore(std::span(time_s).subspan(row));
     grid.take(time_s[row], missing);
     return missing;
 }

@@ -38,7 +38,7 @@ Result<void> checkWithin(const char* option, double value, double highest, const
 } // namespace
 
 Result<void> checkLineFaults(const LineFaults& faults) {
-    constexpr const char* ShareHint = "give the share of the messages, e.g. 0.01 for one in a hundred";
+    constexpr const char* ShareHint = "give the share of messages, e.g. 0.01 for 1 %";
     if (Result<void> checked = checkWithin("--drop", faults.drop_ratio, 1.0, ShareHint); !checked) {
         return checked;
     }

@@ -22,7 +22,7 @@ namespace {
 
 /// How late the thread may notice that it shall end.
 constexpr int ReadPatience_ms = 100;
-constexpr const char* PluggedHint = "check the cable and that the board is on";
+constexpr const char* PluggedHint = "check the cable and that the device is on";
 
 } // namespace
 

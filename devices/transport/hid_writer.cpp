@@ -15,7 +15,7 @@ namespace {
 constexpr auto SendTimeout = std::chrono::milliseconds(1000);
 /// For a thread that has nothing to do; one that the system holds is left behind.
 constexpr auto EndTimeout = std::chrono::milliseconds(50);
-constexpr const char* PluggedHint = "check the cable and that the board is on";
+constexpr const char* PluggedHint = "check the cable and that the device is on";
 
 } // namespace
 
@@ -88,7 +88,7 @@ Result<void> HidWriter::write(std::span<const std::uint8_t> octets) {
     if (!isDone) {
         m_shared->waiting.clear(); // a command that is told lost is not carried out later
         return failure(ErrorCode::DeviceLost,
-                       fmt::format("{}: the board takes no more commands", m_description), PluggedHint);
+                       fmt::format("{}: the device accepts no more commands", m_description), PluggedHint);
     }
     return {};
 }

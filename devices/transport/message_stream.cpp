@@ -37,10 +37,9 @@ Result<std::optional<StreamMessage>> MessageParser::next() {
     const std::uint8_t* header = m_octets.data() + m_begin;
     const std::size_t length = word(header);
     if (length == 0 || length > m_maxPacket) {
-        return failure(
-            ErrorCode::Protocol,
-            fmt::format("a message of {} octets was announced, 1 to {} are possible", length, m_maxPacket),
-            "the other side does not speak this protocol");
+        return failure(ErrorCode::Protocol,
+                       fmt::format("message length {} bytes, allowed are 1 to {}", length, m_maxPacket),
+                       "the other side does not use this protocol");
     }
     if (available < HeaderOctets + length) {
         return std::optional<StreamMessage>{};
@@ -51,19 +50,26 @@ Result<std::optional<StreamMessage>> MessageParser::next() {
 
 DatagramWatch::Arrival DatagramWatch::take(std::uint16_t counter, std::span<const std::uint8_t> packet) {
     constexpr std::uint16_t HalfTurn = 0x8000;
+    constexpr std::uint16_t MostRemembered = 256;
     const auto step = static_cast<std::uint16_t>(counter - m_last.value_or(counter));
     const bool isSame = m_last && step == 0;
     if (isSame && !std::equal(packet.begin(), packet.end(), m_lastPacket.begin(), m_lastPacket.end())) {
         m_isCounting = false; // another message under the same number: it does not tell repeats
     }
     if (m_isCounting && (isSame || step >= HalfTurn)) {
-        return {true, 0};
+        return {true, 0, std::erase(m_missing, counter) > 0};
     }
     const std::uint16_t missing = m_counters.missingBefore(counter);
+    for (std::uint16_t i = std::min(missing, MostRemembered); i > 0; --i) {
+        m_missing.push_back(static_cast<std::uint16_t>(counter - i));
+    }
+    while (m_missing.size() > MostRemembered) {
+        m_missing.pop_front();
+    }
     m_counters.take(counter);
     m_last = counter;
     m_lastPacket.assign(packet.begin(), packet.end());
-    return {false, missing};
+    return {false, missing, false};
 }
 
 void appendMessage(std::vector<std::uint8_t>& stream, std::uint16_t counter,

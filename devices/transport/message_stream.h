@@ -3,6 +3,7 @@
 #include "control/base/result.h"
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -61,6 +62,7 @@ public:
     struct Arrival {
         bool isStale = false;
         std::uint16_t missing = 0; ///< messages between the last one and this
+        bool isLate = false;       ///< stale, and counted as missing when a later one overtook it
     };
     Arrival take(std::uint16_t counter, std::span<const std::uint8_t> packet);
 
@@ -68,7 +70,8 @@ private:
     CounterWatch m_counters;
     std::optional<std::uint16_t> m_last;
     std::vector<std::uint8_t> m_lastPacket;
-    bool m_isCounting = true; ///< the other side does not leave its counter at one value
+    std::deque<std::uint16_t> m_missing; ///< the newest, by number
+    bool m_isCounting = true;            ///< the other side does not leave its counter at one value
 };
 
 /// Appends one message.

@@ -84,7 +84,7 @@ Result<AddressList> resolve(const NetworkAddress& address, SocketKind kind, bool
     const int code = getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &hints, &list);
     if (code != 0 || list == nullptr) {
         return failure(ErrorCode::DeviceLost, fmt::format("{}: {}", uriOf(address, kind), gai_strerror(code)),
-                       "check that the board is on and the address is right");
+                       "check that the device is on and the address is correct");
     }
     return AddressList(list);
 }

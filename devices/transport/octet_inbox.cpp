@@ -15,10 +15,10 @@ void OctetInbox::put(std::span<const std::uint8_t> octets) {
             return; // nothing follows the end
         }
         if (m_waiting.size() + octets.size() > MaxWaiting) {
-            keepFirst(
-                {ErrorCode::DeviceLost,
-                 fmt::format("{} MB from the board waited and nobody took them", MaxWaiting >> 20),
-                 "the computer was too busy or asleep: connect again, with fewer signals or a lower rate"});
+            keepFirst({ErrorCode::DeviceLost,
+                       fmt::format("{} MB from the device were not processed in time", MaxWaiting >> 20),
+                       "the computer was too busy or in standby: connect again, with fewer signals or a "
+                       "lower rate"});
         } else {
             m_waiting.insert(m_waiting.end(), octets.begin(), octets.end());
         }

@@ -82,7 +82,7 @@ PortTrouble permissionTrouble(const std::string& node, bool hasUdev) {
     const std::string group = isKnown && (status.st_mode & S_IRGRP) != 0 ? groupOf(status) : std::string();
     std::string hint =
         hasUdev
-            ? "install the rules that 'halbench devices --udev-rules' prints, then plug the device in again"
+            ? "install the rules printed by 'halbench devices --udev-rules', then plug the device in again"
             : fmt::format(
                   "no udev runs here, so that rules have no effect: allow it with 'sudo chmod a+rw {}' "
                   "each time it was plugged in",
@@ -97,14 +97,14 @@ PortTrouble busyTrouble(const std::string& node) {
     const std::optional<std::string> holder = holderOf(node);
     return {fmt::format("{} is in use by {}", node, holder.value_or("another program")),
             holder == "this program"
-                ? "disconnect it first"
-                : "close that program (ModemManager lets go of a new port after some seconds)"};
+                ? "disconnect there first"
+                : "close that program (ModemManager releases a new port after some seconds)"};
 }
 
 std::optional<PortTrouble> troubleOf(const std::string& node) {
     if (::access(node.c_str(), F_OK) != 0) {
-        return PortTrouble{fmt::format("{} is not there", node),
-                           "plug the device in and see 'halbench devices' for its address"};
+        return PortTrouble{fmt::format("{} not found", node),
+                           "plug the device in; 'halbench devices' lists the addresses"};
     }
     if (::access(node.c_str(), R_OK | W_OK) != 0) {
         return permissionTrouble(node);

@@ -100,7 +100,7 @@ void judgeSerial(PortListing& port, bool isConsole) {
     judge(port, holderOf(port.node).has_value());
     if (port.reason.empty() && isConsole) {
         port.reason = "it is the console of this machine";
-        port.hint = "take another port, or start the machine without 'console=' for this one";
+        port.hint = "use another port, or start the computer without 'console=' for this one";
     }
 }
 
@@ -157,7 +157,7 @@ void judgeBulk(PortListing& port) {
     if (port.reason.empty() && !port.driver.empty()) {
         port.reason = fmt::format("held by the kernel driver '{}'", port.driver);
         port.hint = fmt::format(
-            "if it is the board, connect to {}: the driver is detached until you disconnect", port.uri);
+            "to use it as device, connect to {}: the driver is detached until you disconnect", port.uri);
     }
 }
 
@@ -219,10 +219,10 @@ Error noSuchPort(const std::vector<PortListing>& ports, PortKind kind, const Usb
                     port.uri.empty() ? port.hint : fmt::format("name it {}", port.uri)};
         }
         return {ErrorCode::DeviceLost,
-                fmt::format("{}: the one there has the serial number '{}'", what, port.serial),
-                fmt::format("plug the right one in, or name {}", port.uri)};
+                fmt::format("{}: the connected device has the serial number '{}'", what, port.serial),
+                fmt::format("plug in the correct device, or use {}", port.uri)};
     }
-    return {ErrorCode::DeviceLost, what, "plug it in and see 'halbench devices' for its address"};
+    return {ErrorCode::DeviceLost, what, "plug it in; 'halbench devices' lists the addresses"};
 }
 
 } // namespace
@@ -272,7 +272,7 @@ Result<PortListing> findPort(const std::vector<PortListing>& ports, PortKind kin
         if (isNamed && found != nullptr && found->node != port.node) {
             return failure(ErrorCode::DeviceLost,
                            fmt::format("several devices {} are plugged in", name.text()),
-                           fmt::format("name one: {} or {}", found->uri, port.uri));
+                           fmt::format("use {} or {}", found->uri, port.uri));
         }
         found = isNamed ? &port : found;
     }

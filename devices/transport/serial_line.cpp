@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t MaxWaiting = 16384;
 constexpr std::chrono::milliseconds SendTimeout{500};
 constexpr int MaxReadsAtOnce = 64; // of up to 512 octets
-constexpr const char* PluggedHint = "check the cable and that the board is on";
+constexpr const char* PluggedHint = "check the cable and that the device is on";
 
 /// Asks the driver not to collect octets; pseudo terminals and CDC-ACM do not know the question.
 void setLowLatency(int descriptor) {
@@ -76,15 +76,15 @@ Result<void> SerialPort::Line::openPort(QSerialPort& port) const {
     port.setPortName(QString::fromStdString(m_settings.device));
     if (!port.open(QIODevice::ReadWrite)) {
         const bool isBusy = port.error() == QSerialPort::PermissionError;
-        return failure(
-            portError(description, isBusy ? busyTrouble(m_settings.device)
-                                          : PortTrouble{port.errorString().toStdString(),
-                                                        "name a serial port: see 'halbench devices'"}));
+        return failure(portError(description,
+                                 isBusy ? busyTrouble(m_settings.device)
+                                        : PortTrouble{port.errorString().toStdString(),
+                                                      "give a serial port; 'halbench devices' lists them"}));
     }
     if (!port.setBaudRate(m_settings.baud)) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("{} cannot run at {} baud", description, m_settings.baud),
-                       "use 115200 or a rate that the adapter knows");
+                       fmt::format("{} does not support {} baud", description, m_settings.baud),
+                       "use 115200 or a rate supported by the adapter");
     }
     if (m_settings.isLowLatency) {
         setLowLatency(port.handle());
@@ -187,7 +187,7 @@ Result<void> SerialPort::Line::write(std::span<const std::uint8_t> octets) {
     const auto canTake = [this] { return m_error || m_outgoing.size() + m_inPort < MaxWaiting; };
     if (!m_sent.wait_for(lock, SendTimeout, canTake)) {
         return failure(ErrorCode::DeviceLost,
-                       fmt::format("serial:{}: the board takes no more commands", m_settings.device),
+                       fmt::format("serial:{}: the device accepts no more commands", m_settings.device),
                        PluggedHint);
     }
     if (m_error) {

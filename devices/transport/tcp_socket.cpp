@@ -55,7 +55,7 @@ Result<Descriptor> connectTcp(const NetworkAddress& address, double timeout_s) {
     }
     return failure(ErrorCode::DeviceLost,
                    fmt::format("{}: {}", uriOf(address, SocketKind::Stream), std::strerror(error)),
-                   "check that the board is on and the address is right");
+                   "check that the device is on and the address is correct");
 }
 
 Descriptor acceptTcp(const Descriptor& listener) {

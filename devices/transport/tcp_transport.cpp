@@ -28,14 +28,14 @@ double TcpTransport::now_s() const {
 Error TcpTransport::lost(const std::string& what) {
     m_socket.close();
     return {ErrorCode::DeviceLost, fmt::format("{}: {}", description(), what),
-            "check that the board is on and no other program uses it, then connect again"};
+            "check that the device is on and not used by another program, then connect again"};
 }
 
 /// A web server, a login, a measuring instrument: whatever listens at that port.
 Error TcpTransport::anotherProtocol(const std::string& what) {
     m_socket.close();
-    return {ErrorCode::Protocol, fmt::format("{}: {}; that is not this protocol", description(), what),
-            "check address and port: another program listens there"};
+    return {ErrorCode::Protocol, fmt::format("{}: {}; not the expected protocol", description(), what),
+            "check address and port: another program uses this port"};
 }
 
 Result<void> TcpTransport::open() {
@@ -65,7 +65,7 @@ Result<void> TcpTransport::send(std::span<const std::uint8_t> packet) {
         }
         pollfd entry{m_socket.number(), POLLOUT, 0};
         if (::poll(&entry, 1, SendTimeout_ms) == 0) {
-            return failure(lost("the board takes no more commands"));
+            return failure(lost("the device accepts no more commands"));
         }
     }
     if (!m_socket.isOpen()) {
@@ -101,7 +101,7 @@ Result<void> TcpTransport::readSocket() {
         return {};
     }
     if (count == 0) {
-        return failure(lost("the board closed the connection (another program may have taken it)"));
+        return failure(lost("the device closed the connection (possibly taken over by another program)"));
     }
     if (errno == EAGAIN || errno == EINTR) {
         return {};

@@ -16,6 +16,7 @@ struct TransportStatistics {
     std::uint64_t packetsReceived = 0;
     std::uint64_t packetsSent = 0;
     std::uint64_t packetsLost = 0;    ///< gaps of the message counter
+    std::uint64_t packetsLate = 0;    ///< of those, what came behind a later one and was dropped
     std::uint64_t packetsDamaged = 0; ///< bad length, bad checksum
     std::uint64_t octetsReceived = 0; ///< whatever they were; 0 on the loopback
 };

@@ -40,7 +40,7 @@ double UdpTransport::now_s() const {
 Error UdpTransport::lost(int cause) {
     m_socket.close();
     return {ErrorCode::DeviceLost, fmt::format("{}: {}", description(), std::strerror(cause)),
-            "check that the board is on and the address is right"};
+            "check that the device is on and the address is correct"};
 }
 
 Result<void> UdpTransport::open() {
@@ -82,9 +82,8 @@ std::optional<std::string> UdpTransport::remarkOnStream(double packets_Hz, std::
     const double limit =
         std::ceil(Enough_s * packets_Hz * static_cast<double>(spaceOf(octets + HeaderOctets)) / 2.0);
     return fmt::format(
-        "this system may keep no more than {:.0f} ms of this stream while the program is busy; what "
-        "comes then is lost: raise its limit (sysctl net.core.rmem_max={:.0f}), take fewer signals "
-        "or a lower rate, or connect by tcp:",
+        "the system buffers no more than {:.0f} ms of this stream; data may be lost: raise its limit (sysctl "
+        "net.core.rmem_max={:.0f}), use fewer signals or a lower rate, or connect by tcp:",
         1e3 * kept_s, limit);
 }
 
@@ -119,6 +118,7 @@ bool UdpTransport::takeMessage(std::vector<std::uint8_t>& packet) {
         }
         const DatagramWatch::Arrival arrival = m_heard.take((*message)->counter, (*message)->packet);
         if (arrival.isStale) {
+            m_statistics.packetsLate += arrival.isLate ? 1 : 0;
             continue;
         }
         m_statistics.packetsLost += arrival.missing;

@@ -19,7 +19,7 @@ constexpr unsigned SendTimeout_ms = 500;
 constexpr timeval EventPatience{0, 100000};
 /// Cancelled requests come back at once; one that does not is not waited for without end.
 constexpr std::chrono::seconds EndingPatience{2};
-constexpr const char* PluggedHint = "check the cable and that the board is on";
+constexpr const char* PluggedHint = "check the cable and that the device is on";
 
 } // namespace
 
@@ -61,7 +61,7 @@ Error UsbPort::Pipe::unplugged() const {
 /// A halted endpoint forgets what it had: the other side of the stream has to begin anew, which opening it
 /// again does (resources/help/protocol.md 3.4).
 Error UsbPort::Pipe::halted() const {
-    return {ErrorCode::DeviceLost, fmt::format("{}: the board halted its endpoint", m_description),
+    return {ErrorCode::DeviceLost, fmt::format("{}: the device halted its endpoint", m_description),
             "connect again"};
 }
 
@@ -74,7 +74,7 @@ Error UsbPort::Pipe::refused(int code) const {
     case LIBUSB_ERROR_PIPE:
         return halted();
     case LIBUSB_ERROR_TIMEOUT:
-        return {ErrorCode::DeviceLost, fmt::format("{}: the board takes no more commands", m_description),
+        return {ErrorCode::DeviceLost, fmt::format("{}: the device accepts no more commands", m_description),
                 PluggedHint};
     case LIBUSB_ERROR_NO_MEM:
         return {ErrorCode::DeviceLost,
@@ -127,7 +127,7 @@ Result<void> UsbPort::Pipe::takeFromDriver(const PortListing& port) {
     const int code = libusb_detach_kernel_driver(m_handle, m_ends.interface);
     if (code != 0 && code != LIBUSB_ERROR_NOT_FOUND) { // let go of meanwhile
         return failure(ErrorCode::DeviceLost,
-                       fmt::format("{}: the kernel driver '{}' does not let go of it: {}", m_description,
+                       fmt::format("{}: the kernel driver '{}' cannot be detached: {}", m_description,
                                    port.driver, libusb_strerror(code)),
                        fmt::format("unload the driver: sudo modprobe -r {}", port.driver));
     }
@@ -234,7 +234,7 @@ void UsbPort::Pipe::onCompleted(Request& request) {
         m_inbox->fail(unplugged());
         break;
     case LIBUSB_TRANSFER_OVERFLOW:
-        m_inbox->fail(failed("the board sent more than was asked for", LIBUSB_ERROR_OVERFLOW));
+        m_inbox->fail(failed("the device sent more than requested", LIBUSB_ERROR_OVERFLOW));
         break;
     }
 }

@@ -80,7 +80,7 @@ std::string asUtf8(std::string text) {
 
 A2lLexer::A2lLexer(std::string_view text) : m_text(text) {
     if (text.size() > MaxA2lSize) {
-        fail(MaxA2lSize, fmt::format("{} octets are more than the allowed {}", text.size(), MaxA2lSize));
+        fail(MaxA2lSize, fmt::format("{} bytes exceed the allowed {}", text.size(), MaxA2lSize));
         return;
     }
     advance();
@@ -95,7 +95,7 @@ A2lToken A2lLexer::take() {
 void A2lLexer::fail(std::size_t place, const std::string& what) {
     if (!m_error) {
         m_error =
-            Error{ErrorCode::InvalidInput, fmt::format("the board's description, octet {}: {}", place, what),
+            Error{ErrorCode::InvalidInput, fmt::format("description of the device, byte {}: {}", place, what),
                   "update the board's firmware or report the description to its maker"};
     }
     m_place = m_text.size();
@@ -263,7 +263,8 @@ void A2lLexer::skipBlock(const A2lToken& begin) {
             }
         } else if (token.kind == A2lTokenKind::End) {
             if (token.text != open.back()) {
-                fail(token.place, fmt::format("/end {} where /end {} is due", token.text, open.back()));
+                fail(token.place,
+                     fmt::format("found /end {} where /end {} is expected", token.text, open.back()));
                 return;
             }
             open.pop_back();

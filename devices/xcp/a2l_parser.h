@@ -85,7 +85,8 @@ void A2lParser::contents(const A2lToken& begin, OnBlock onBlock, OnWord onWord) 
             onWord(token.text);
         } else if (token.kind == A2lTokenKind::End) {
             if (token.text != begin.text) {
-                m_lexer.fail(token.place, "/end " + token.text + " where /end " + begin.text + " is due");
+                m_lexer.fail(token.place,
+                             "found /end " + token.text + " where /end " + begin.text + " is expected");
             }
             return;
         }

@@ -55,7 +55,7 @@ bool A2lParser::resolveObject(A2lObject& object, const Pending& pending) {
     if (!type) {
         const auto layout = m_layouts.find(pending.layout);
         if (layout == m_layouts.end()) {
-            warn(object, fmt::format("its type '{}' is not known", pending.layout));
+            warn(object, fmt::format("its type '{}' is unknown", pending.layout));
             return false;
         }
         type = layout->second;
@@ -107,7 +107,7 @@ void A2lParser::resolveLimits(A2lObject& object) {
 void A2lParser::warn(const A2lObject& object, const std::string& what) {
     if (m_description.warnings.size() < MaxWarnings) {
         m_description.warnings.push_back(
-            fmt::format("'{}' (octet {} of the description): {}", object.name, object.place, what));
+            fmt::format("'{}' (byte {} of the description): {}", object.name, object.place, what));
     }
 }
 

@@ -110,7 +110,7 @@ Result<void> BoardCapture::readRows(const A2lCharacteristic& data, XcpMaster& ma
 Result<Recording> BoardCapture::read(Device& device, const BoardDescription& board, XcpMaster& master) {
     const A2lCharacteristic* data = board.characteristic(DataName);
     if (data == nullptr || board.measurement(StateName) == nullptr) {
-        return failure(ErrorCode::DeviceRefused, "this board cannot capture by itself",
+        return failure(ErrorCode::DeviceRefused, "this device has no capture function",
                        "record a stream instead");
     }
     const Result<bool> full = isFull(device, board);

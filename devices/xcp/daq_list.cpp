@@ -26,9 +26,9 @@ Result<DaqPlan> planDaqList(const std::vector<DaqEntry>& entries, const DaqForma
         if (size > format.maxEntrySize || size % format.granularity != 0 || size > room) {
             return failure(
                 ErrorCode::OutOfRange,
-                fmt::format("signal {} has {} octets; the board samples values of up to {} octets in "
-                            "steps of {}",
-                            i + 1, size, format.maxEntrySize, format.granularity),
+                fmt::format(
+                    "signal {} has {} bytes; the device samples values of up to {} bytes in steps of {}",
+                    i + 1, size, format.maxEntrySize, format.granularity),
                 "leave this signal out");
         }
         if (size > left || plan.back().size() == MaxOdtEntries) {
@@ -41,8 +41,8 @@ Result<DaqPlan> planDaqList(const std::vector<DaqEntry>& entries, const DaqForma
     const std::size_t maxOdts = format.marksOverloadInPid ? MaxOdts / 2 : MaxOdts;
     if (plan.size() > maxOdts) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("{} signals do not fit into one sample of this board", entries.size()),
-                       "ask for fewer signals");
+                       fmt::format("{} signals do not fit into one sample of this device", entries.size()),
+                       "use fewer signals");
     }
     return plan;
 }

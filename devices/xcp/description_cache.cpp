@@ -58,7 +58,7 @@ Result<void> writeFile(const std::string& path, const std::string& content) {
     file.close();
     if (!file) {
         return failure(ErrorCode::FileSystem, fmt::format("cannot write '{}'", path),
-                       "make room or make the folder writable");
+                       "free disk space or make the folder writable");
     }
     return {};
 }

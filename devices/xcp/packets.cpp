@@ -70,7 +70,7 @@ constexpr std::array SlaveErrorTexts = {
     SlaveErrorEntry{SlaveError::Sequence, "the commands came in the wrong order"},
     SlaveErrorEntry{SlaveError::DaqConfiguration, "the list of samples is not valid"},
     SlaveErrorEntry{SlaveError::MemoryOverflow, "the board has no memory left"},
-    SlaveErrorEntry{SlaveError::Generic, "the board refuses"},
+    SlaveErrorEntry{SlaveError::Generic, "the device rejects the command"},
     SlaveErrorEntry{SlaveError::Verify, "verification failed"},
     SlaveErrorEntry{SlaveError::ResourceBusy, "the resource is not accessible now"},
 };
@@ -78,7 +78,7 @@ constexpr std::array SlaveErrorTexts = {
 Result<void> needOctets(Octets packet, std::size_t size, Command command) {
     if (packet.size() < size) {
         return failure(ErrorCode::Protocol,
-                       fmt::format("the answer to {} has {} octets ({}), {} are needed",
+                       fmt::format("the answer to {} has {} bytes ({}), {} are required",
                                    commandName(static_cast<std::uint8_t>(command)), packet.size(),
                                    hexText(packet), size),
                        "update the board's firmware or check the line");
@@ -137,14 +137,14 @@ Result<ConnectResponse> decodeConnect(Octets packet) {
     response.protocolVersion = packet[6];
     response.transportVersion = packet[7];
     if ((packet[2] & 0x06) != 0) {
-        return failure(ErrorCode::Protocol, "the board counts addresses in words, not octets",
-                       "only octet granularity is supported");
+        return failure(ErrorCode::Protocol, "the device counts addresses in words, not bytes",
+                       "only byte granularity is supported");
     }
     if (response.maxCto < 8 || response.maxDto < 8) {
         return failure(ErrorCode::Protocol,
-                       fmt::format("the board announces packets of {} and {} octets, at least 8 are needed",
+                       fmt::format("the device announces packets of {} and {} bytes, at least 8 are required",
                                    response.maxCto, response.maxDto),
-                       "this is not a board of a protocol known here");
+                       "the device does not use a supported protocol");
     }
     return response;
 }
@@ -166,7 +166,7 @@ Result<IdResponse> decodeId(Octets packet, ByteOrder order) {
     if (response.isInline) {
         if (response.length > packet.size() - 8) {
             return failure(ErrorCode::Protocol,
-                           fmt::format("the answer to GET_ID promises {} octets and holds {}",
+                           fmt::format("the answer to GET_ID announces {} bytes and contains {}",
                                        response.length, packet.size() - 8),
                            "update the board's firmware or check the line");
         }
@@ -223,8 +223,7 @@ Result<DaqResolutionResponse> decodeDaqResolution(Octets packet, ByteOrder order
     const bool isSizeKnown = response.timestampSize <= 2 || response.timestampSize == 4;
     if (response.granularity == 0 || response.maxEntrySize == 0 || !isSizeKnown ||
         (response.timestampSize != 0 && (!unit || ticks == 0.0))) {
-        return failure(ErrorCode::Protocol,
-                       fmt::format("the sampling resolution makes no sense ({})", hexText(packet)),
+        return failure(ErrorCode::Protocol, fmt::format("invalid sampling resolution ({})", hexText(packet)),
                        "update the board's firmware");
     }
     if (response.timestampSize != 0) {

@@ -52,8 +52,8 @@ Result<std::uint8_t> runningPage(XcpMaster& master, const A2lSegment& segment) {
     if (running && (*running > 1 || segment.size > MaxSegment)) {
         return failure(
             ErrorCode::Protocol,
-            fmt::format("the board runs on page {} of a segment of {} octets", *running, segment.size),
-            "only pages 0 and 1 are known here; update the board's firmware");
+            fmt::format("the device uses page {} of a segment of {} bytes", *running, segment.size),
+            "only pages 0 and 1 are supported; update the firmware");
     }
     return running;
 }
@@ -72,8 +72,8 @@ public:
         if (*running > 1 || m_segment->size > MaxSegment) {
             return failure(
                 ErrorCode::Protocol,
-                fmt::format("the board runs on page {} of a segment of {} octets", *running, m_segment->size),
-                "only pages 0 and 1 are known here; update the board's firmware");
+                fmt::format("the device uses page {} of a segment of {} bytes", *running, m_segment->size),
+                "only pages 0 and 1 are supported; update the firmware");
         }
         m_idle = static_cast<std::uint8_t>(1 - *running);
         if (Result<void> done = m_master->setPage(PageAccess::Master, m_segment->number, m_idle); !done) {
@@ -102,8 +102,9 @@ public:
                 return {};
             }
             if (m_link->transport().now_s() >= end_s) {
-                return failure(ErrorCode::DeviceRefused, "the board does not free its idle parameter page",
-                               "check that the board's control loop runs; the old values stay");
+                return failure(ErrorCode::DeviceRefused,
+                               "the device does not release its inactive parameter page",
+                               "check that the control loop is running; the old values are kept");
             }
             if (Result<void> pumped = m_link->pumpUntil(m_link->transport().now_s() + SwitchPoll_s);
                 !pumped) {
@@ -177,8 +178,8 @@ public:
                 return {};
             }
             if (m_link->transport().now_s() >= end_s) {
-                return failure(ErrorCode::DeviceRefused, "the board did not take the new set of parameters",
-                               "check the board's state; the old values stay");
+                return failure(ErrorCode::DeviceRefused, "the device did not accept the new parameter set",
+                               "check the state of the device; the old values are kept");
             }
             if (Result<void> pumped = m_link->pumpUntil(m_link->transport().now_s() + SwitchPoll_s);
                 !pumped) {
@@ -220,8 +221,8 @@ Result<void> runTransaction(Transaction& transaction, const std::vector<SegmentC
         return failure(place.error());
     }
     mismatch = *place;
-    return failure(ErrorCode::DeviceRefused, "the board keeps other values than those sent",
-                   "the old values stay; check the limits of the board");
+    return failure(ErrorCode::DeviceRefused, "the values read back differ from those sent",
+                   "the old values are kept; check the limits of the device");
 }
 
 } // namespace

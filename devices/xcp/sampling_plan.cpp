@@ -51,10 +51,10 @@ std::string nearestRates(const std::map<std::uint16_t, double>& rates, double wa
         above = upper >= wanted_Hz && (above == 0.0 || upper < above) ? upper : above;
     }
     if (below > 0.0 && above > 0.0) {
-        return fmt::format("the nearest possible rates are {} Hz and {} Hz", below, above);
+        return fmt::format("the nearest possible rates: {} Hz and {} Hz", below, above);
     }
     const double only = std::max(below, above);
-    return only > 0.0 ? fmt::format("the nearest possible rate is {} Hz", only)
+    return only > 0.0 ? fmt::format("the nearest possible rate: {} Hz", only)
                       : "these signals have no periodic event";
 }
 
@@ -85,9 +85,9 @@ tl::unexpected<Error> noCommonEvent(const StreamRequest& request, const std::str
                                     const std::map<std::uint16_t, double>& own,
                                     const std::map<std::uint16_t, double>& others) {
     return failure(ErrorCode::OutOfRange,
-                   fmt::format("the board samples '{}' ({}) at another event than '{}' ({})", name,
+                   fmt::format("the device samples '{}' ({}) at another event than '{}' ({})", name,
                                ratesText(own), request.signals.front(), ratesText(others)),
-                   "stream signals of one event together, the others in a stream of their own");
+                   "stream only signals of the same event together");
 }
 
 Result<std::map<std::uint16_t, double>> addSignals(const BoardDescription& board,

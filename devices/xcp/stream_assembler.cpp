@@ -14,7 +14,7 @@ constexpr double MaxClockLead_s = 1.0;
 // So many rows that follow each other somewhere else are a clock that started again, not a spoiled stamp.
 constexpr std::size_t RestartRows = 4;
 constexpr double NextRow_ratio = 2.5;   // of the period: rows of which the second follows the first
-constexpr double LongestDoubt_s = 0.05; // no longer are rows kept back to tell a loss from a late stamp
+constexpr double LongestDoubt_s = 0.25; // so long a shift is looked at to tell a loss from late stamps
 
 std::size_t lookAheadAt(double period_s) {
     const double rows =
@@ -117,27 +117,31 @@ void StreamAssembler::restartClock() {
 void StreamAssembler::takeRow(const Row& row, bool isLossSure) {
     m_lastTime_s = row.time_s;
     m_lastRowArrival_s = row.arrival_s;
-    if (m_waiting.empty() && (isLossSure || !m_grid.isInDoubt(row.time_s))) {
-        placeRow(row, m_grid.missingBefore({&row.time_s, 1}));
+    if (m_waiting.empty() && (isLossSure || !m_grid.isInDoubt({&row.time_s, 1}, m_lookAhead))) {
+        placeRow(row, m_grid.missingBefore({&row.time_s, 1}, isLossSure));
+        return;
+    }
+    if (isLossSure) {
+        settle(true); // what is behind the loss tells nothing of the rows before it
+        placeRow(row, m_grid.missingBefore({&row.time_s, 1}, true));
         return;
     }
     m_waiting.push_back({row.time_s, row.arrival_s, {row.values.begin(), row.values.end()}});
-    settle(isLossSure);
+    settle(false);
 }
 
-/// Places the waiting rows of which it is known what is missing before them.
-void StreamAssembler::settle(bool isLossSure) {
-    while (!m_waiting.empty()) {
+/// Places the waiting rows of which it is known what is missing before them; at the end of a stretch all.
+void StreamAssembler::settle(bool isEnd) {
+    std::vector<double> times_s;
+    for (const StoredRow& row : m_waiting) {
+        times_s.push_back(row.time_s);
+    }
+    std::span<const double> next_s(times_s);
+    while (!m_waiting.empty() && (isEnd || !m_grid.isInDoubt(next_s, m_lookAhead))) {
         const StoredRow& first = m_waiting.front();
-        if (!isLossSure && m_waiting.size() <= m_lookAhead && m_grid.isInDoubt(first.time_s)) {
-            return;
-        }
-        std::vector<double> times_s;
-        for (const StoredRow& row : m_waiting) {
-            times_s.push_back(row.time_s);
-        }
-        placeRow({first.time_s, first.arrival_s, first.values}, m_grid.missingBefore(times_s));
+        placeRow({first.time_s, first.arrival_s, first.values}, m_grid.missingBefore(next_s));
         m_waiting.pop_front();
+        next_s = next_s.subspan(1);
     }
 }
 

@@ -29,6 +29,8 @@ public:
     void feed(Octets packet, double arrival_s, std::uint64_t packetsLost = 0);
     /// True when enough rows wait for a block (10 ms of them, or a gap).
     bool isBlockDue() const;
+    /// No more packets come: rows that waited for the next ones are placed by their own stamps.
+    void finish() { settle(true); }
     /// All complete rows as blocks, oldest first.
     std::vector<SampleBlockPtr> takeBlocks();
 
@@ -58,7 +60,7 @@ private:
     void addStray(double time_s, double arrival_s);
     void restartClock();
     void takeRow(const Row& row, bool isLossSure);
-    void settle(bool isLossSure);
+    void settle(bool isEnd);
     void placeRow(const Row& row, std::uint64_t missing);
     void storeRow(const Row& row);
     void closeBlock();

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace halbench::devices {
 
@@ -47,11 +48,10 @@ Error withWhatWasHeard(Error error, const Transport& transport, bool isLost) {
     const TransportStatistics heard = transport.statistics();
     const bool isBoard = isLost && heard.packetsReceived > 0; // it spoke, and went
     if (error.code == ErrorCode::DeviceLost && heard.octetsReceived > 0 && !isBoard) {
-        return {
-            ErrorCode::Protocol,
-            fmt::format("{} sends something ({} octets), but not in this protocol", transport.description(),
-                        heard.octetsReceived),
-            "check that it is the right device and address, and on a serial line its baud rate and framing"};
+        return {ErrorCode::Protocol,
+                fmt::format("{} sends data ({} bytes), but not in this protocol", transport.description(),
+                            heard.octetsReceived),
+                "check device and address; on a serial line also baud rate and framing"};
     }
     return error;
 }
@@ -63,9 +63,8 @@ Error descriptionError(const std::string& text, const Error& error) {
     if (isWhole || text.find("/begin") == std::string::npos) {
         return {ErrorCode::Protocol, error.message, error.hint};
     }
-    return {ErrorCode::Protocol,
-            fmt::format("the board's description is cut off after {} octets", text.size()),
-            "connect again; if it stays so, the board's firmware holds only half of it and must be updated"};
+    return {ErrorCode::Protocol, fmt::format("the device's description ends after {} bytes", text.size()),
+            "connect again; if the error remains, update the firmware"};
 }
 
 } // namespace
@@ -189,16 +188,16 @@ Result<A2lDescription> XcpDevice::cachedOrUploaded() {
     }
     if (!m_options.cacheFolder.empty()) {
         message(isCached ? fmt::format("description of '{}' taken from the cache", key.name)
-                         : fmt::format("description read from the board, {} octets", text->size()));
+                         : fmt::format("description read from the device, {} bytes", text->size()));
     }
     if (!isCached) {
         if (const std::optional<std::string> before = cache.epkBefore(key)) {
-            message(fmt::format("the firmware of '{}' changed: it was '{}' at an earlier connection and is "
-                                "'{}' now, so that its description was read anew",
-                                key.name, *before, key.epk));
+            message(
+                fmt::format("the firmware of '{}' changed from '{}' to '{}'; the description was read again",
+                            key.name, *before, key.epk));
         }
         if (const Result<bool> kept = cache.store(key, *text); !kept) {
-            message("the description is not kept: " + kept.error().message);
+            message("the description was not cached: " + kept.error().message);
         }
     }
     return description;
@@ -214,13 +213,36 @@ Result<void> XcpDevice::findFirmware(const A2lDescription& description) {
         return failure(octets.error());
     }
     if (!octets) {
-        message("the board neither tells its firmware nor shows the octets where its description keeps it: "
-                "whether the two belong together is not known");
+        message("the device reports neither its firmware nor the identification in its description: it is "
+                "unknown whether they match");
         return {};
     }
     for (const std::uint8_t octet : *octets) {
         const bool isPrintable = octet >= 0x20 && octet < 0x7F;
         m_options.identity.firmware += isPrintable ? static_cast<char>(octet) : '?';
+    }
+    return readLongerFirmware(*description.epkAddress);
+}
+
+/// The board's text may go on behind what the description has of it: "1.2.3_beta" is not "1.2.3". A text ends
+/// with a zero or a fill; what else lies there is not part of a name.
+Result<void> XcpDevice::readLongerFirmware(std::uint32_t address) {
+    constexpr std::size_t Longest = 64;
+    std::string& firmware = m_options.identity.firmware;
+    const auto goesOn = [](std::uint8_t octet) {
+        return std::isalnum(octet) != 0 ||
+               std::string_view("_-+.").find(static_cast<char>(octet)) != std::string::npos;
+    };
+    while (firmware.size() < Longest) {
+        const auto next = static_cast<std::uint32_t>(address + firmware.size());
+        const Result<Packet> octet = m_master.read({next, 0}, 1);
+        if (!octet && octet.error().code != ErrorCode::DeviceRefused) {
+            return failure(octet.error());
+        }
+        if (!octet || octet->empty() || !goesOn(octet->front())) {
+            return {};
+        }
+        firmware += static_cast<char>(octet->front());
     }
     return {};
 }
@@ -234,9 +256,8 @@ Result<void> XcpDevice::compareFirmware(const A2lDescription& description) {
     const std::string described = withoutFill(description.epk);
     if (!described.empty() && !firmware.empty() && described != firmware) {
         m_options.identity.otherFirmware = described;
-        message(fmt::format("the board runs firmware '{}', but its description is of '{}': names may lead to "
-                            "wrong values, so nothing is written; give the description of this firmware, or "
-                            "update the board's firmware as a whole",
+        message(fmt::format("firmware '{}' does not match the description of '{}': writing is blocked; use "
+                            "the description of this firmware, or update the firmware completely",
                             firmware, described));
     }
     return {};
@@ -306,10 +327,9 @@ Result<void> XcpDevice::choosePages() {
         };
         if (std::none_of(segment.pages.begin(), segment.pages.end(), canTake)) {
             m_board.makeReadOnly(segment);
-            message(
-                fmt::format("the parameters of '{}' can only be read: the board runs on a page of it that "
-                            "takes no writes",
-                            segment.name));
+            message(fmt::format(
+                "the parameters of '{}' are read-only: the active page of the device cannot be written",
+                segment.name));
         }
     }
     return {};
@@ -347,7 +367,7 @@ Result<void> XcpDevice::readWhatCanBeRead(const std::vector<std::string>& names)
             return failure(value.error());
         }
         if (!value) {
-            message(fmt::format("parameter '{}' is left out: {}", name, value.error().message));
+            message(fmt::format("parameter '{}' was skipped: {}", name, value.error().message));
             continue;
         }
         readable.push_back(*m_board.catalogue().findParameter(name));
@@ -370,6 +390,7 @@ LinkStatistics XcpDevice::statistics() const {
     statistics.packetsReceived = wire.packetsReceived;
     statistics.packetsSent = wire.packetsSent;
     statistics.packetsLost = wire.packetsLost;
+    statistics.packetsLate = wire.packetsLate;
     // A sample that is not whole because a packet was lost was not damaged.
     const std::uint64_t dropped = m_droppedSamples + (m_stream ? m_stream->dropped() : 0);
     const std::uint64_t incomplete = m_incompleteSamples + (m_stream ? m_stream->incomplete() : 0);

@@ -73,6 +73,7 @@ private:
     Result<A2lDescription> cachedOrUploaded();
     Result<void> compareFirmware(const A2lDescription& description);
     Result<void> findFirmware(const A2lDescription& description);
+    Result<void> readLongerFirmware(std::uint32_t address);
     Result<void> choosePages();
     Result<void> readDefaults();
     Result<void> readWhatCanBeRead(const std::vector<std::string>& names);

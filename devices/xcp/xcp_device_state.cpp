@@ -32,7 +32,7 @@ bool startsWith(const std::string& text, std::string_view beginning) {
 
 Error unknownRelease(const Error& unanswered, const std::string& state) {
     return {ErrorCode::Protocol, fmt::format("{}; {}", unanswered.message, state),
-            "release the stop again when the cause is gone"};
+            "remove the cause, then release the stop again"};
 }
 
 } // namespace
@@ -90,8 +90,8 @@ Error XcpDevice::safetyError() const {
 Result<void> XcpDevice::writeLive(const std::string& name, double value) {
     if (m_board.catalogue().findParameter(name) == nullptr) {
         return failure(ErrorCode::DeviceRefused,
-                       fmt::format("this board has no '{}' and cannot be armed from here", name),
-                       "use the maker's own program to arm it");
+                       fmt::format("this device has no '{}' and cannot be armed by this program", name),
+                       "use the manufacturer's program to arm it");
     }
     const ParameterValue change{name, value};
     return writeParameters({&change, 1});
@@ -124,9 +124,9 @@ Result<void> XcpDevice::restoreWatchdog() {
     if (restored) {
         m_formerWatchdog_ms.reset();
     } else {
-        message(fmt::format("the board's {} may still be {} instead of {} ms, as before it was armed: {}",
-                            WatchdogName, 1000.0 * m_options.watchdog_s, *m_formerWatchdog_ms,
-                            restored.error().message));
+        message(fmt::format(
+            "parameter {} of the device may still be {} instead of {} ms, as before arming: {}", WatchdogName,
+            1000.0 * m_options.watchdog_s, *m_formerWatchdog_ms, restored.error().message));
     }
     return restored;
 }
@@ -162,7 +162,7 @@ Result<void> XcpDevice::arm() {
     if (m_state.isStopLatched || m_state.fault != 0) {
         return failure(ErrorCode::DeviceRefused,
                        fmt::format("the board cannot be armed: {}", m_state.faultText),
-                       "find the cause, then clear the stop");
+                       "remove the cause, then release the stop");
     }
     if (Result<void> set = setWatchdog(); !set) {
         return set;
@@ -209,8 +209,8 @@ Result<void> XcpDevice::awaitArmed(bool isArmed) {
         if (now_s() >= end_s) {
             m_expectsArmed = false;
             return failure(ErrorCode::DeviceRefused,
-                           fmt::format("the board does not {}", isArmed ? "arm" : "disarm"),
-                           "use the stop at the actuator and check the board");
+                           fmt::format("the device does not {}", isArmed ? "arm" : "disarm"),
+                           "use the stop switch at the actuator and check the device");
         }
         if (Result<void> pumped = m_link.pumpUntil(now_s() + StatePoll_s); !pumped) {
             return pumped;
@@ -236,7 +236,7 @@ void XcpDevice::stop() noexcept {
     }
     m_state.isConnected = m_state.isConnected && !m_link.lost();
     if (m_board.measurement(StatusName) == nullptr) {
-        message("this board does not say whether it stopped: use the switch at the actuator");
+        message("this device does not report whether it stopped: use the stop switch at the actuator");
     }
 }
 
@@ -252,7 +252,7 @@ Result<void> XcpDevice::clearStop() {
         return failure(unanswered.error());
     }
     if (*unanswered && m_board.measurement(StatusName) == nullptr) {
-        return failure(unknownRelease(**unanswered, "whether it is released is not known"));
+        return failure(unknownRelease(**unanswered, "release state unknown"));
     }
     const double end_s = now_s() + StatePatience_s;
     for (;;) {
@@ -264,9 +264,9 @@ Result<void> XcpDevice::clearStop() {
         }
         if (now_s() >= end_s) {
             return *unanswered
-                       ? failure(unknownRelease(**unanswered, "it is still stopped: " + m_state.faultText))
+                       ? failure(unknownRelease(**unanswered, "still stopped: " + m_state.faultText))
                        : failure(ErrorCode::DeviceRefused,
-                                 fmt::format("the board keeps its stop: {}", m_state.faultText),
+                                 fmt::format("the device does not release its stop: {}", m_state.faultText),
                                  "remove the cause first");
         }
         if (Result<void> pumped = m_link.pumpUntil(now_s() + StatePoll_s); !pumped) {

@@ -55,8 +55,7 @@ void XcpDevice::feedStream(Octets packet) {
     const std::uint64_t restarts = m_stream->clockRestarts();
     m_stream->feed(packet, now_s(), m_link.transport().statistics().packetsLost);
     if (m_stream->clockRestarts() != restarts) {
-        message("the board's clock started again: the recording has a gap there, as long as this computer's "
-                "clock says");
+        message("the device clock restarted: the recording has a gap, measured with the computer clock");
     }
 }
 
@@ -108,6 +107,9 @@ Result<void> XcpDevice::waitFor(double duration_s) {
     } while (result);
     if (!result && m_link.lost()) {
         m_state.isConnected = false;
+        if (m_stream) {
+            m_stream->finish();
+        }
     }
     deliverBlocks();
     return result;
@@ -165,7 +167,7 @@ void XcpDevice::reportLink() const {
                     link.packetsReceived, link.packetsLost, link.packetsDamaged, link.commandsRepeated,
                     1e3 * link.roundTripMedian_s, 1e3 * link.roundTripWorst_s);
     if (link.clockDrift) {
-        text += fmt::format(", the board's clock gains {:.1f} +- {:.1f} ppm", link.clockDrift->drift_ppm,
+        text += fmt::format(", the device clock is fast by {:.1f} +- {:.1f} ppm", link.clockDrift->drift_ppm,
                             link.clockDrift->uncertainty_ppm);
     }
     message(text);
@@ -200,8 +202,8 @@ Result<void> XcpDevice::checkHeartbeat() {
         return {};
     }
     m_link.markLost({ErrorCode::DeviceLost,
-                     fmt::format("{} sends no samples any more", m_link.transport().description()),
-                     "the board or another program ended the stream; connect again"});
+                     fmt::format("{} stopped sending samples", m_link.transport().description()),
+                     "the device or another program ended the stream; connect again"});
     return failure(*m_link.lost());
 }
 

@@ -21,6 +21,12 @@ bool isCommandName(const std::string& name) {
            name.compare(name.size() - Ending.size(), Ending.size(), Ending) == 0;
 }
 
+/// The board puts it back to 0 when it has done it: what is read back says nothing of what was written.
+bool clearsItself(const std::string& name) {
+    constexpr std::string_view HomeName = "hb.home";
+    return isCommandName(name) || name == HomeName;
+}
+
 /// A command that is not given twice by mistake (3.15): our boards start once for each of these numbers.
 constexpr double FirstOrder = 2.0;
 constexpr double LastOrder = 255.0;
@@ -178,9 +184,9 @@ Result<void> XcpDevice::writeSegment(const A2lSegment& segment, const std::vecto
     Result<void> done = switchPages(m_master, m_link, segment, places, m_board.marks(segment), mismatch);
     if (!done && mismatch) {
         return failure(ErrorCode::DeviceRefused,
-                       fmt::format("the board keeps another value of '{}' than the one sent",
+                       fmt::format("the value of '{}' read back differs from the one sent",
                                    m_board.parameterAt(segment, mismatch->offset)),
-                       "the old values stay; give values inside the board's limits");
+                       "the old values are kept; use values within the device limits");
     }
     return done;
 }
@@ -212,7 +218,7 @@ Result<void> XcpDevice::writePlain(const std::vector<RawChange>& changes) {
     }
     if (!m_hasWarnedOneByOne) {
         m_hasWarnedOneByOne = true;
-        message("this board cannot change a set at once: values change one by one");
+        message("this device cannot change a set at once: values change one by one");
     }
     return writeOneByOne(changes);
 }
@@ -259,10 +265,10 @@ Result<void> XcpDevice::commandOnce(const RawChange& change) {
     if (const Result<void> ended = m_master.write(change.target->address, end); !ended) {
         return failure(ended.error());
     }
-    return failure((*trouble)->code == ErrorCode::Interrupted ? ErrorCode::Interrupted : ErrorCode::Protocol,
-                   fmt::format("{}; whether it has begun is not known, so it was ended", (*trouble)->message),
-                   "see where the actuator stands, then start again; newer firmware of this board takes a "
-                   "lost answer without harm");
+    return failure(
+        (*trouble)->code == ErrorCode::Interrupted ? ErrorCode::Interrupted : ErrorCode::Protocol,
+        fmt::format("{}; ended, because its start was not confirmed", (*trouble)->message),
+        "check the position of the actuator, then start again; newer firmware tolerates a lost answer");
 }
 
 Result<void> XcpDevice::writeOneByOne(const std::vector<RawChange>& changes) {
@@ -286,7 +292,7 @@ Result<void> XcpDevice::readBack(const std::vector<RawChange>& changes) {
     std::vector<const A2lObject*> objects;
     std::vector<const RawChange*> expected;
     for (const auto& [target, change] : last) {
-        if (!isCommandName(target->name)) {
+        if (!clearsItself(target->name)) {
             objects.push_back(target);
             expected.push_back(change);
         }
@@ -299,7 +305,7 @@ Result<void> XcpDevice::readBack(const std::vector<RawChange>& changes) {
         const double sent = physicalOf(expected[i]->octets, *objects[i], m_master.session().order);
         if ((*values)[i] != sent) {
             return failure(ErrorCode::DeviceRefused,
-                           fmt::format("the board keeps '{}' = {} {} instead of {}", objects[i]->name,
+                           fmt::format("value of '{}' after writing: {} {} instead of {}", objects[i]->name,
                                        (*values)[i], objects[i]->conversion.unit, sent),
                            "check the board's state and limits");
         }
@@ -319,8 +325,8 @@ Result<void> XcpDevice::checkFirmware() const {
     return m_options.identity.otherFirmware.empty()
                ? Result<void>()
                : failure(ErrorCode::DeviceRefused,
-                         "nothing is written: the description is not of the firmware that the board runs",
-                         "give the description of this firmware, or update the board's firmware as a whole");
+                         "writing is blocked: the description does not match the firmware of the device",
+                         "use the description of this firmware, or update the firmware completely");
 }
 
 } // namespace halbench::devices::xcp

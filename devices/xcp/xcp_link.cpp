@@ -80,12 +80,13 @@ bool XcpLink::obeyStop() {
 
 std::optional<Trouble> XcpLink::obeyOrders() {
     if (m_isOpening && m_orders && m_orders->isLeaving) {
-        markLost({ErrorCode::Interrupted, fmt::format("{}: given up", m_transport->description()), ""});
+        markLost({ErrorCode::Interrupted,
+                  fmt::format("{}: connection attempt ended", m_transport->description()), ""});
         return Trouble{TroubleCause::Lost, 0, *m_lost};
     }
     if (obeyStop()) {
         return trouble(TroubleCause::Overtaken, ErrorCode::Interrupted,
-                       "a stop was sent before the board had answered", "try again");
+                       "a stop was sent before the device answered", "try again");
     }
     return std::nullopt;
 }
@@ -159,7 +160,7 @@ Reply<Packet> XcpLink::awaitAnswer(std::uint8_t command, double deadline_s) {
             const std::uint8_t code = m_packet.size() > 1 ? m_packet[1] : 0x31;
             Trouble refused =
                 trouble(TroubleCause::Slave, ErrorCode::DeviceRefused,
-                        fmt::format("the board refused {}: {}", commandName(command), slaveErrorText(code)),
+                        fmt::format("the device rejected {}: {}", commandName(command), slaveErrorText(code)),
                         "check the value and the board's state");
             refused.slaveError = code;
             return tl::unexpected(std::move(refused));
@@ -208,9 +209,9 @@ void XcpLink::handleEvent() {
     }
     if (code == static_cast<std::uint8_t>(Event::SessionTerminated)) {
         markLost({ErrorCode::DeviceLost,
-                  fmt::format("{} ended the session (its watchdog ran out or another program connected)",
+                  fmt::format("{} ended the session (watchdog timeout, or another program connected)",
                               m_transport->description()),
-                  "make sure that no other program uses the board, then connect again"});
+                  "make sure that no other program uses the device, then connect again"});
     }
 }
 
@@ -285,8 +286,8 @@ Result<void> XcpLink::synchronise(double deadline_s) {
             return {};
         }
     }
-    markLost({ErrorCode::DeviceLost, fmt::format("{} does not answer any more", m_transport->description()),
-              CableHint});
+    markLost(
+        {ErrorCode::DeviceLost, fmt::format("{} stopped responding", m_transport->description()), CableHint});
     return failure(*m_lost);
 }
 

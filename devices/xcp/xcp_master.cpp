@@ -19,7 +19,7 @@ constexpr std::uint8_t ReleaseSubCommand = 0x52; // "R"
 
 Error sizeError(const Packet& command, const Packet& answer, std::size_t size) {
     return {ErrorCode::Protocol,
-            fmt::format("the answer to {} has {} octets ({}), {} are needed", commandName(command[0]),
+            fmt::format("the answer to {} has {} bytes ({}), {} are required", commandName(command[0]),
                         answer.size(), hexText(answer), size),
             "update the board's firmware or check the line"};
 }
@@ -34,9 +34,8 @@ Error connectError(const Trouble& trouble, const Transport& transport) {
     if (trouble.cause == TroubleCause::Slave && isBusy(trouble.slaveError)) {
         return {
             ErrorCode::DeviceRefused,
-            fmt::format("{}: another program works with this board", transport.description()),
-            "end that program's connection, then connect again; one that has gone silent is given up after "
-            "a few seconds"};
+            fmt::format("{}: another program is connected to this device", transport.description()),
+            "end the other connection, then connect again; an inactive connection ends after a few seconds"};
     }
     return trouble.error;
 }
@@ -386,8 +385,8 @@ Result<std::optional<Error>> XcpMaster::releaseStop() {
     }
     const Trouble& trouble = answer.error();
     if (m_link->stopsSent() != stops) {
-        return failure(ErrorCode::Interrupted, "a stop came in between",
-                       "release the stop again when the cause is gone");
+        return failure(ErrorCode::Interrupted, "interrupted by a stop",
+                       "remove the cause, then release the stop again");
     }
     if (trouble.cause == TroubleCause::Lost || isDefinite(trouble)) {
         return failure(trouble.error);

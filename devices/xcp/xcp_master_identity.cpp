@@ -65,7 +65,7 @@ Result<std::string> XcpMaster::description(const KnownDescription& known) {
         });
         const bool isRefusedText = !id && id.error().code == ErrorCode::DeviceRefused;
         if (isRefusedText || (id && id->length == 0)) {
-            return failure(ErrorCode::Protocol, "the board holds no description of itself",
+            return failure(ErrorCode::Protocol, "the device has no built-in description",
                            "give the A2L file that belongs to it: DEVICE?a2l=FILE");
         }
         if (!id) {
@@ -73,7 +73,7 @@ Result<std::string> XcpMaster::description(const KnownDescription& known) {
         }
         if (id->length > MaxA2lSize) {
             return failure(ErrorCode::Protocol,
-                           fmt::format("the board's description has {} octets", id->length),
+                           fmt::format("the device's description has {} bytes", id->length),
                            fmt::format("at most {} are read", MaxA2lSize));
         }
         if (std::optional<std::string> text = known(id->length); text && !id->isInline) {

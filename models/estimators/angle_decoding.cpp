@@ -28,7 +28,7 @@ Result<double> unwrap(UnwrapState& state, double decoded_rad) {
     if (!(std::abs(increment_rad) <= 0.5 * Pi)) {
         return failure(ErrorCode::Refused,
                        "The decoded angle jumped by more than 90 degrees between two samples.",
-                       "The direction of such a jump is a guess; check the sensors or turn slower.");
+                       "The direction of the jump is unknown. Check the sensors or turn more slowly.");
     }
     state.unwrapped_rad += increment_rad;
     return state.unwrapped_rad;

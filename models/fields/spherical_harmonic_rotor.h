@@ -6,7 +6,7 @@
 
 namespace halbench::models {
 
-/// A ball-shaped four-pole permanent magnet: shell between core and outer radius whose radial magnetisation
+/// A ball-filtered four-pole permanent magnet: shell between core and outer radius whose radial magnetisation
 /// follows sin^2(theta) cos(2 phi). Outside, its field is the spherical harmonic of degree 2 and order 2.
 /// Source: resources/help/spherical-theory.md section 3.1.
 struct SphericalRotorMagnet {

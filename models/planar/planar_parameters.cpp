@@ -267,12 +267,12 @@ std::optional<double> planarParameter(const PlanarParameters& parameters, std::s
 
 Result<void> checkPlanarParameters(const PlanarParameters& parameters) {
     if (parameters.geometry.shortStraight_m() <= 0.0) {
-        return failure(ErrorCode::OutOfRange,
-                       fmt::format("a coil of {} mm width leaves no window within half a pitch of {} mm",
-                                   1e3 * parameters.geometry.winding.width_m,
-                                   1e3 * parameters.geometry.matrix.pitch_m),
-                       fmt::format("Make coil_width_mm smaller than {} mm.",
-                                   0.5e3 * parameters.geometry.matrix.pitch_m));
+        return failure(
+            ErrorCode::OutOfRange,
+            fmt::format("a coil of {} mm width leaves no winding window within half a pitch of {} mm",
+                        1e3 * parameters.geometry.winding.width_m, 1e3 * parameters.geometry.matrix.pitch_m),
+            fmt::format("Make coil_width_mm smaller than {} mm.",
+                        0.5e3 * parameters.geometry.matrix.pitch_m));
     }
     if (std::fabs(parameters.initialX_m) > parameters.travel_m ||
         std::fabs(parameters.initialY_m) > parameters.travel_m ||

@@ -25,6 +25,7 @@ constexpr double GaugeDeviation_ratio = 1e-4;
 struct Oriented {
     CalibrationSample sample;
     Eigen::Matrix3d rotation;
+    std::size_t index;
 };
 
 /// Normal equations of the unknowns in units of their plausible size, orientations eliminated.
@@ -62,23 +63,24 @@ public:
         if (!estimator) {
             return failure(estimator.error());
         }
-        for (const CalibrationSample& sample : samples) {
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const CalibrationSample& sample = samples[i];
             if (sample.reference) {
                 m_hasReference = true;
-                m_samples.push_back({sample, *sample.reference});
+                m_samples.push_back({sample, *sample.reference, i});
                 continue;
             }
             const OrientationEstimate estimate = estimator->estimate(
                 correctedReadings_T(m_nominal, sample.readings_T, sample.coilCurrent_A), sample.used);
             if (estimate.verdict == OrientationVerdict::Determined) {
-                m_samples.push_back({sample, estimate.rotation});
+                m_samples.push_back({sample, estimate.rotation, i});
             }
         }
         if (m_samples.size() < LeastSamples) {
             return failure(ErrorCode::Refused,
                            fmt::format("Only {} samples have a known orientation; the calibration needs {}.",
                                        m_samples.size(), LeastSamples),
-                           "Record longer, with the rotor moving and no channel clipped.");
+                           "Use a longer recording, with the rotor moving and no channel clipped.");
         }
         return {};
     }
@@ -91,7 +93,8 @@ public:
         return largest_rad;
     }
 
-    Reduced reduced(const SphericalCalibration& calibration) const {
+    /// `moved`: steps from the nominal calibration so far, in units of the plausible size.
+    Reduced reduced(const SphericalCalibration& calibration, const Eigen::VectorXd& moved) const {
         const auto count = static_cast<Eigen::Index>(m_unknowns.size());
         const CalibrationModel model(calibration, m_unknowns);
         Reduced sum;
@@ -129,6 +132,7 @@ public:
             sum.readings += static_cast<double>((weight.array() > 0.0).count());
         }
         holdGauges(sum);
+        holdPlaces(sum, moved);
         return sum;
     }
 
@@ -142,7 +146,8 @@ public:
     int gauges() const { return (hasScaleGauge() ? 1 : 0) + (hasTurnGauge() ? 3 : 0); }
     bool hasScaleGauge() const { return m_config.selection.strength && m_config.selection.gains; }
     bool hasTurnGauge() const {
-        return m_config.selection.directions && m_config.selection.turns && !m_hasReference;
+        return m_config.selection.directions && m_config.selection.turns && !m_hasReference &&
+               !m_config.placeDeviation_rad;
     }
 
 private:
@@ -176,6 +181,17 @@ private:
         }
     }
 
+    void holdPlaces(Reduced& sum, const Eigen::VectorXd& moved) const {
+        for (std::size_t k = 0; m_config.placeDeviation_rad && k < m_unknowns.size(); ++k) {
+            if (m_unknowns[k].kind == CalibrationKind::Direction) {
+                const auto row = static_cast<Eigen::Index>(k);
+                const double certainty = std::pow(m_plausible[row] / *m_config.placeDeviation_rad, 2);
+                sum.information(row, row) += certainty;
+                sum.gradient[row] -= certainty * moved[row];
+            }
+        }
+    }
+
     const SphericalCalibration& m_nominal;
     const CalibrationConfig& m_config;
     std::vector<CalibrationUnknown> m_unknowns;
@@ -198,9 +214,11 @@ CalibrationExcitation excitationOf(const Problem& problem, const Reduced& reduce
 }
 
 Result<void> checkConfig(const CalibrationConfig& config) {
-    if (!(config.deviation_T > 0.0) || !(config.referenceDeviation_rad > 0.0) || config.iterations < 1) {
-        return failure(ErrorCode::OutOfRange, "A calibration needs positive deviations of readings and known "
-                                              "orientations and at least one iteration.");
+    if (!(config.deviation_T > 0.0) || !(config.referenceDeviation_rad > 0.0) ||
+        !(config.placeDeviation_rad.value_or(1.0) > 0.0) || config.iterations < 1) {
+        return failure(ErrorCode::OutOfRange,
+                       "A calibration needs positive deviations of readings, places and "
+                       "known orientations and at least one iteration.");
     }
     const CalibrationSelection& s = config.selection;
     if (!(s.strength || s.harmonics || s.gains || s.skews || s.offsets || s.turns || s.directions ||
@@ -246,7 +264,7 @@ Result<CalibrationExcitation> calibrationExcitation(const SphericalCalibration& 
     if (auto oriented = problem.orient(samples); !oriented) {
         return failure(oriented.error());
     }
-    return excitationOf(problem, problem.reduced(nominal));
+    return excitationOf(problem, problem.reduced(nominal, Eigen::VectorXd::Zero(problem.plausible().size())));
 }
 
 double calibrationGain(const SphericalCalibration& nominal, const CalibrationExcitation& excitation,
@@ -274,12 +292,12 @@ Result<CalibrationFit> calibrate(const SphericalCalibration& nominal,
         return failure(ErrorCode::Refused,
                        fmt::format("The rotor moved by only {:.1f} degrees in the recording.",
                                    radiansToDegrees(problem.motion_rad())),
-                       "Turn it through the whole workspace, tilt and spin.");
+                       "Move it through the whole workspace, tilt and spin.");
     }
     CalibrationFit fit;
     fit.calibration = nominal;
     Eigen::VectorXd moved = Eigen::VectorXd::Zero(problem.plausible().size());
-    Reduced reduced = problem.reduced(nominal);
+    Reduced reduced = problem.reduced(nominal, moved);
     for (double size = 1.0; size > 1e-7 && fit.iterations < config.iterations; ++fit.iterations) {
         if (config.isStopped && config.isStopped()) {
             return failure(ErrorCode::Interrupted, "The calibration was stopped.");
@@ -298,8 +316,8 @@ Result<CalibrationFit> calibrate(const SphericalCalibration& nominal,
         problem.turn(reduced, step);
         const Eigen::VectorXd step_SI = step.cwiseProduct(problem.plausible());
         fit.calibration = steppedCalibration(fit.calibration, problem.unknowns(), step_SI);
-        moved += step_SI;
-        reduced = problem.reduced(fit.calibration);
+        moved += step;
+        reduced = problem.reduced(fit.calibration, moved);
     }
     const auto unknowns = static_cast<double>(problem.unknowns().size());
     const double orientations =
@@ -307,26 +325,28 @@ Result<CalibrationFit> calibrate(const SphericalCalibration& nominal,
     fit.chiSquare = reduced.cost;
     fit.freedom = reduced.readings - orientations - unknowns + problem.gauges();
     fit.excess_ratio = std::sqrt(fit.chiSquare / std::max(1.0, fit.freedom));
-    const Eigen::MatrixXd covariance = reduced.information.inverse();
+    fit.deviation_T = config.deviation_T * fit.excess_ratio;
+    const double widening = std::max(1.0, fit.excess_ratio);
+    const auto size = problem.plausible().asDiagonal();
+    fit.covariance = widening * widening * (size * reduced.information.inverse() * size);
     for (std::size_t k = 0; k < problem.unknowns().size(); ++k) {
         const auto row = static_cast<Eigen::Index>(k);
         const CalibrationUnknown& unknown = problem.unknowns()[k];
-        const double deviation = std::sqrt(covariance(row, row)) * unknown.plausible;
-        fit.values.push_back({unknown, valueOf(fit.calibration, unknown, moved[row]),
-                              Normal95 * std::max(1.0, fit.excess_ratio) * deviation});
+        fit.values.push_back({unknown, valueOf(fit.calibration, unknown, moved[row] * unknown.plausible),
+                              Normal95 * std::sqrt(fit.covariance(row, row))});
     }
     for (const Oriented& one : problem.samples()) {
         fit.rotation.push_back(one.rotation);
+        fit.sample.push_back(one.index);
     }
     if (problem.hasScaleGauge()) {
         fit.notes.emplace_back(
-            "The common scale of all gains cannot be told from the strength q: their mean is "
-            "one. Only a known field fixes it; it does not change the orientation.");
+            "The common scale of all gains is not observable separately from the strength q: their mean is "
+            "set to one. A known field is required; the orientation is not affected.");
     }
     if (problem.hasTurnGauge()) {
-        fit.notes.emplace_back(
-            "A common rotation of all sensors cannot be told from one of the rotor: the mean "
-            "turn is zero. Only a known orientation fixes it.");
+        fit.notes.emplace_back("A common rotation of all sensors is not observable: the mean rotation is set "
+                               "to zero. A known orientation is required to determine it.");
     }
     return fit;
 }

@@ -11,6 +11,8 @@ struct CalibrationConfig {
     CalibrationSelection selection;
     double deviation_T = 100e-6;              ///< noise of a reading, rms
     double referenceDeviation_rad = 1.745e-4; ///< of known orientations, each axis: 0.01 degrees
+    /// How far the places lie from their nominal directions, rms: what is known of them before the motion.
+    std::optional<double> placeDeviation_rad;
     int iterations = 40;
     std::function<bool()> isStopped; ///< asked once an iteration; empty: never
 };
@@ -26,12 +28,15 @@ struct CalibratedValue {
 struct CalibrationFit {
     SphericalCalibration calibration;
     std::vector<CalibratedValue> values;
-    double chiSquare = 0.0; ///< of all readings with `deviation_T`
+    Eigen::MatrixXd covariance; ///< of the values, SI, widened as the intervals are
+    double chiSquare = 0.0;     ///< of all readings with `deviation_T`
     double freedom = 0.0;
     /// The readings scatter by this factor more than expected; intervals are widened by it when above one.
     double excess_ratio = 1.0;
     int iterations = 0;
-    std::vector<Eigen::Matrix3d> rotation; ///< of each sample
+    std::vector<Eigen::Matrix3d> rotation; ///< of each sample that could be oriented
+    std::vector<std::size_t> sample;       ///< which ones these are
+    double deviation_T = 0.0;              ///< of a reading, as the data show it
     /// What these data cannot tell, one sentence each: the common scale of all gains beside q; a common
     /// rotation of the stator frame when places are fitted without known orientations.
     std::vector<std::string> notes;
@@ -58,10 +63,10 @@ double calibrationGain(const SphericalCalibration& nominal, const CalibrationExc
 /// Least squares over all unknowns and the orientation of every sample (Gauss-Newton, the orientations
 /// eliminated sample by sample), from the nominal calibration. Known orientations enter with their deviation.
 /// Gauges: with q and gains the mean gain stays one; with directions and turns and no reference the mean turn
-/// stays zero. Errors: Refused when fewer than 20 samples can be oriented, when the rotor moved less than 10
-/// degrees, or when the 95 % half-width of some combination exceeds half its plausible size (the message
-/// names it); OutOfRange for a deviation of zero or less; Interrupted. Source:
-/// resources/help/spherical-theory.md section 8.
+/// stays zero, unless the deviation of the places is known. Errors: Refused when fewer than 20 samples can be
+/// oriented, when the rotor moved less than 10 degrees, or when the 95 % half-width of some combination
+/// exceeds half its plausible size (the message names it); OutOfRange for a deviation of zero or less;
+/// Interrupted. Source: resources/help/spherical-theory.md section 8.
 Result<CalibrationFit> calibrate(const SphericalCalibration& nominal,
                                  std::span<const CalibrationSample> samples, const CalibrationConfig& config);
 

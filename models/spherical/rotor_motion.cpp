@@ -67,7 +67,7 @@ Result<void> checkRotorMotion(const RotorMotionConfig& config) {
         }
         if (i > 0 && config.table[i].time_s <= config.table[i - 1].time_s) {
             return failure(ErrorCode::OutOfRange,
-                           fmt::format("The time in row {} of the table of poses does not rise.", i + 1));
+                           fmt::format("The time does not increase in row {} of the table of poses.", i + 1));
         }
     }
     return {};

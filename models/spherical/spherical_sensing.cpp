@@ -14,7 +14,7 @@ Result<void> checkSphericalSensing(const SphericalSensing& sensing) {
     }
     if (sensing.field.strength_T <= 0.0) {
         return failure(ErrorCode::OutOfRange, "The strength q of the rotor's field must be positive.",
-                       "A magnet poled the other way is the same one turned by 90 degrees about its shaft.");
+                       "Use the magnet turned by 90 degrees about its shaft for the opposite polarity.");
     }
     if (sensing.field.referenceRadius_m <= 0.0) {
         return failure(ErrorCode::OutOfRange, "The reference radius of the rotor's field must be positive.");

@@ -53,6 +53,12 @@ SAMPLES = {
          {"a/x.h": '#include "b/y.h"\n', "b/z.h": '#include "c/x.h"\n', "c/y.h": '#include "a/z.h"\n'}],
         [{"a/b/x.h": '#include "a/c/y.h"\n#include "a/b/y.h"\n', "a/c/y.h": '#include <a/b/x.h>\n'},
          {"a/x.h": '#include "b/y.h"\n', "tests/b/z.cpp": '#include "a/x.h"\n'}]),
+    "small_actuator_stays_small": (
+        [{"tests/conformance/actuator/a.c": "int a;\n" * 251},
+         {"tests/conformance/actuator/a.c": "int a;\n" * 200, "tests/conformance/actuator/profiles/a.json": "{}\n" * 51},
+         {"tests/conformance/actuator/a.c": "int a; " * 20 + "\n"}],
+        [{"tests/conformance/actuator/a.c": "int a;\n" * 250, "tests/conformance/actuator/a_test.cpp": "int a;\n" * 300},
+         {"tests/conformance/peer/a.c": "int a;\n" * 300}]),
     "folder_sizes": (
         [{f"control/base/a{i}.h": "" for i in range(61)}],
         [{f"control/base/a{i}.h": "" for i in range(60)}, {f"tests/control/a{i}.cpp": "" for i in range(90)},
@@ -79,10 +85,16 @@ SAMPLES = {
          {"app/cli/a.cpp": '#include "app/procedures/identify/identify_fit.h"\nrunMove(device, config, observer);'}]),
     "actuators_stay_in_their_folders": (
         [{"devices/simulated/htm/a.h": "", "devices/open/a.cpp": '#include "devices/simulated/htm/a.h"\n'},
-         {"devices/simulated/htm/a.h": "", "devices/simulated/b.cpp": '#include "devices/firmware/htm/hb_htm.h"\n'}],
+         {"devices/simulated/htm/a.h": "", "devices/simulated/b.cpp": '#include "devices/firmware/htm/hb_htm.h"\n'},
+         {"devices/simulated/planar/a.h": "", "app/cli/b.cpp": '#include "app/actuators/planar/p.h"\n'}],
         [{"devices/simulated/htm/a.h": '#include "devices/firmware/htm/hb_htm.h"\n',
           "devices/simulated/registry/simulated_models.cpp": '#include "devices/simulated/htm/a.h"\n',
+          "app/actuators/registry/actuators.cpp": '#include "app/actuators/htm/p.h"\n',
           "devices/open/b.cpp": '#include "devices/simulated/simulated_model.h"\n'}]),
+    "actuators_are_named_in_their_folders": (
+        [{"app/cli/a.cpp": 'const bool isSpecial = model == "planar";'}, {"app/experiments/a.cpp": "planar::step();"}],
+        [{"app/actuators/planar/a.cpp": 'return {"planar"};', "app/actuators/registry/a.cpp": "planar();",
+          "app/cli/a.cpp": "// resources/help/planar-theory.md section 1\nint planarity;"}]),
     "firmware_is_plain_c": (
         [{"devices/firmware/a.c": "#include <stdio.h>\n"}, {"devices/firmware/a.cpp": ""},
          {"devices/firmware/a.c": "p = malloc(4);"}, {"devices/firmware/a.c": 'snprintf (t, 4, "%f", x);'}],
@@ -90,6 +102,15 @@ SAMPLES = {
     "firmware_has_its_licence": (
         [{"devices/firmware/a.c": "int a;"}, {"devices/firmware/a.h": "\n/* SPDX-License-Identifier: MIT */"}],
         [{"devices/firmware/a.c": "/* SPDX-License-Identifier: MIT */\n"}, {"devices/a.cpp": ""}]),
+    "one_type_per_name": (
+        [{"a/x.h": "namespace n {\nstruct S { int a; };\n}", "b/y.h": "namespace n {\nstruct S {\n};\n}"},
+         {"a/x.h": "namespace n::m { class S final : public B { }; }", "b/y.cpp": "namespace n { namespace m { struct S { }; } }"},
+         {"a/x.h": "enum class E { A };", "b/y.h": "enum class E : int { B };"},
+         {"a/x.h": "struct O { struct S { }; };", "b/y.h": "struct O;\nstruct O { };"}],
+        [{"a/x.h": "namespace n { struct S { }; struct F; }", "b/y.h": "namespace m { struct S { }; }\nnamespace n { struct F { }; }"},
+         {"a/x.cpp": "namespace {\nstruct S { };\n}", "b/y.cpp": "namespace {\nstruct S { };\n}"},
+         {"a/x.cpp": "void f() { struct S { }; }", "b/y.cpp": "void g() { struct S { }; } // struct f { }"},
+         {"a/x.h": "struct A { struct S { }; };", "b/y.h": "struct B { struct S { }; };"}]),
     "file_sizes": ([{"control/base/a.cpp": "\n" * 601}], [{"control/base/a.cpp": "\n" * 600}, {"README.md": "\n" * 900}]),
     "function_sizes": (
         [{"a.cpp": LONG_BODY}, {"a.cpp": "namespace a {\nclass B {\n" + LONG_BODY + "};\n}\n"},

@@ -82,7 +82,7 @@ def main():
     folder = os.path.join(root, "translations")
     found = []
     with tempfile.TemporaryDirectory() as scratch:
-        for name in sorted(os.listdir(folder)):
+        for name in sorted(name for name in os.listdir(folder) if name.endswith(".ts")):
             text, remark = updated(lupdate, root, os.path.join(folder, name), scratch)
             found += [f"{name}: {fault}" for fault in faults(text)]
             found += [f"lupdate: {line}" for line in remark.splitlines()]

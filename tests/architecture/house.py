@@ -40,28 +40,29 @@ MAY_INCLUDE = {
     "widgets/figure": "control/base; widgets/theme, language, raster",
     "widgets/live_plot": "control/history; widgets/theme, language, raster, controls",
     "widgets/spectrogram": "control/base; widgets/theme, language, figure, live_plot",
-    "widgets/actuators": "control/base; models/fields; widgets/theme, language",
+    "widgets/actuators": "control/base; models/fields, planar; widgets/theme, language",
     "app/procedures": "control/base, lti, analysis, law, assess, robustness, design, signals, history, identify; models/htm, thermal; "
                       "devices; devices/recording, acquisition",
-    "app/actuators": "control/base, design; models/fields, sensors, drives, estimators, htm; devices; devices/simulated; app/procedures",
+    "app/actuators": "control/base, identify, design; models/fields, sensors, drives, estimators, htm, planar, spherical; devices; devices/simulated; app/procedures",
     "app/session": "control/base; devices; devices/recording, acquisition, open; app/procedures",
     "app/documents": "control/base, lti, law, assess, design, signals, identify; devices; devices/recording, formats; "
                      "app/procedures, actuators",
+    "app/analyses": "control/base; models/fields, planar, spherical; devices/formats; app/procedures, actuators, documents",
     "app/recordings": "control/base; devices; devices/recording, formats; app/documents",
     "app/tuning": "control/base; devices; devices/formats; app/procedures, documents",
     "app/figures": "control/base, lti, analysis, identify; widgets/theme, language, figure; app/procedures",
     "app/report": "control/base; models/htm; widgets/theme, figure; app/procedures, actuators, figures",
-    "app/headless": "control/base; devices; devices/transport, recording, formats, open; app/procedures, documents",
-    "app/experiments": "control/base; devices/recording; app/procedures, actuators, documents, tuning, figures, report, headless",
+    "app/headless": "control/base; devices; devices/transport, recording, formats, open; app/procedures, documents, analyses",
+    "app/experiments": "control/base; devices/recording, formats; app/procedures, actuators, analyses, documents, tuning, figures, report, headless",
     "app/cli": "control/base, design, signals; devices; devices/recording, acquisition, formats, open; "
-               "app/procedures, documents, recordings, tuning, figures, headless, experiments",
+               "app/procedures, actuators, analyses, documents, recordings, tuning, figures, headless, experiments",
     "app/workbench": "control/base, signals, history; devices; devices/recording, acquisition, formats, history; "
                      "widgets/language, controls, figure; app/procedures, session, documents, recordings",
     "app/workspaces": "control/base, analysis, law, design, signals, history; devices; devices/recording, acquisition, formats, open; "
                       "widgets/theme, language, raster, controls, log, parameters, figure, live_plot, spectrogram, actuators; "
                       "app/procedures, documents, recordings, tuning, figures, workbench",
-    "app/wizards": "control/base; devices; widgets/theme, language, controls, figure; "
-                   "app/procedures, documents, tuning, figures, workbench, workspaces",
+    "app/wizards": "control/base; devices; widgets/theme, language, controls, figure, actuators; "
+                   "app/procedures, actuators, documents, tuning, figures, workbench, workspaces",
     "app/window": "control/base; devices/history, open; widgets/theme, language, controls; "
                   "app/procedures, documents, recordings, headless, workbench, workspaces, wizards",
     "app/program": "app/headless, cli, window",

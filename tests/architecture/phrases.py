@@ -13,9 +13,10 @@ from tree import is_source, line_of, read_tree
 # table: folders and files whose texts reach the window
 TABLES = {
     "control": ("control/",),
-    "lines": ("devices/transport/", "devices/xcp/"),
+    "lines": ("devices/transport/", "devices/xcp/", "app/session/"),
     "devices": ("models/", "devices/"),
-    "procedures": ("app/procedures/", "app/session/"),
+    "procedures": ("app/procedures/",),
+    "actuators": ("app/actuators/",),
     "files": ("app/documents/text/config_node.cpp", "app/documents/frequency_file.cpp", "app/tuning/gains_judgement.cpp", "app/documents/configuration_", "app/documents/document_units.cpp", "app/documents/identification_file.cpp", "app/documents/import_documents.cpp", "app/documents/text/json_parser.cpp",
               "app/documents/text/json_value.cpp", "app/documents/model_file.cpp", "app/documents/text/output_file.cpp",
               "app/documents/presets.cpp", "app/recordings/recording_list.cpp", "app/recordings/recording_name.cpp",
@@ -28,7 +29,8 @@ NEVER_SHOWN = (
     "control/base/assert.cpp", "control/base/result.h", "devices/firmware/", "devices/open/serve_device.cpp",
     "devices/transport/pty_server.cpp", "devices/xcp/a2l_interface.cpp", "devices/xcp/a2l_parser.",
     "app/actuators/htm/amplifier_analysis.cpp", "app/actuators/htm/motor_analysis.cpp",
-    "app/actuators/htm/motor_geometry_analysis.cpp")
+    "app/actuators/htm/motor_geometry_analysis.cpp",
+    "app/actuators/htm/motor_contradictions.cpp", "app/actuators/spherical/sensing_contradictions.cpp")
 # words of a notation
 NO_SENTENCES = {"the board ran firmware '", "give them: --ran GAINS.json", "recorded move", "the same move with these gains", "{} Hz", "zeta, omega-rad-s", "ultimate-gain, ultimate-period", "phase-margin-deg, omega-rad-s", "max-sensitivity, current-limit-a, step-deg", "{}, seed, imperfections, chain",
                 "value = {}", "--set {}", "ended by {}", "in use",

@@ -6,6 +6,9 @@ from house import MAY_INCLUDE, ONLY_HEADERS, cycles, folder_of, folders_in
 from tree import includes, is_product
 
 PAGE = "resources/help/architecture.md"
+SMALL_ACTUATOR = "tests/conformance/actuator/"
+SMALL_ACTUATOR_LINES = 250
+SMALL_ACTUATOR_COLUMNS = 120
 MOST_FILES = 60
 
 
@@ -49,6 +52,18 @@ def folder_sizes(files):
             yield folder, 1, f"{number} files; a folder fails beyond {MOST_FILES}: split it by topic"
 
 
+def small_actuator_stays_small(files):
+    """The actuator of the conformance test shows what one costs: all its files but the tests, in lines of usual length."""
+    own = {path: text for path, text in files.items() if path.startswith(SMALL_ACTUATOR) and not path.endswith("_test.cpp")}
+    lines = sum(text.count("\n") for text in own.values())
+    if lines > SMALL_ACTUATOR_LINES:
+        yield SMALL_ACTUATOR, 1, f"{lines} lines; it fails beyond {SMALL_ACTUATOR_LINES}: what any actuator needs belongs to a shared module"
+    for path, text in own.items():
+        for number, line in enumerate(text.split("\n"), 1):
+            if len(line) > SMALL_ACTUATOR_COLUMNS:
+                yield path, number, f"{len(line)} columns; at most {SMALL_ACTUATOR_COLUMNS}"
+
+
 def page_shows_the_house(files):
     """The table of the page: | `folder` | holds | may include | ... |"""
     if PAGE not in files:
@@ -70,4 +85,5 @@ def page_shows_the_house(files):
 
 
 RULES = {rule.__name__: rule for rule in (
-    allowed_includes, no_two_folders_include_each_other, folder_sizes, page_shows_the_house)}
+    allowed_includes, no_two_folders_include_each_other, folder_sizes, small_actuator_stays_small,
+    page_shows_the_house)}

@@ -2,7 +2,7 @@
 import re
 
 from house import folder_of
-from tree import code_only, comments, function_lengths, includes, is_product, is_source, line_of
+from tree import code_only, comments, function_lengths, includes, is_product, is_source, line_of, type_names
 
 # folder: the Qt modules that it may use; the longest matching folder counts.
 WINDOW = ["QtCore", "QtGui", "QtSvg", "QtWidgets"]
@@ -66,6 +66,16 @@ def firmware_has_its_licence(files):
                 yield path, 1, "the first line names the licence: SPDX-License-Identifier: MIT"
 
 
+def one_type_per_name(files):
+    """Two types of one qualified name in one program are undefined behaviour that no compiler reports."""
+    seen = {}
+    for path, text in files.items():
+        if path.endswith((".h", ".cpp")):
+            for line, name in type_names(text):
+                if seen.setdefault(name, path) != path:
+                    yield path, line, f"{name} is defined in {seen[name]} too"
+
+
 def file_sizes(files):
     for path, text in files.items():
         if is_source(path) and text.count("\n") > 600:
@@ -86,7 +96,7 @@ FORBIDDEN = (
     (r"\bsetStyleSheet\s*\(", ("widgets/theme/theme",), "setStyleSheet only in the theme"),
     (r"\bQFileDialog::(get\w+|save\w+)\s*\(", (), "file dialogs carry a STOP: app/window/file_dialogs"),
     (r"\bsleep_for\b|\bsleep_until\b|\busleep\s*\(|\bnanosleep\s*\(|\bQThread::m?sleep", ("devices/transport/",
-     "devices/simulated/loopback_transport", "tests/devices/firmware/avr/simavr/avr_line"), "no sleeping: time is the Clock's"),   # wall-clock pacing
+     "devices/simulated/loopback_transport", "tests/devices/firmware/line/board_line"), "no sleeping: time is the Clock's"),   # wall-clock pacing
     (r"\bDISABLED_\w+|\bGTEST_SKIP\b|\bQSKIP\b", (), "a test is run or removed"),
     (r"\bstd::(normal|uniform_\w+|exponential)_distribution\b|\bstd::random_device\b|\bstd::mt19937|\bs?rand\s*\(\s*\)",
      (), "random numbers come from control/base/random.h"),
@@ -206,7 +216,7 @@ def own_part(path):
 # the batch program.
 PANELS = ("app/window/", "app/wizards/", "app/workbench/", "app/workspaces/")
 PROCEDURES = ("runIdentify", "runFrequency", "runRelay", "runCalibrate", "runApply", "runLiveApply", "runTune",
-              "runAnalysis")
+              "runAnalysis", "runApplyAxes", "runAxesFrequency")
 PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
     "base/procedure", "identify/identify_procedure", "identify/identify_plan", "frequency/frequency_procedure",
     "frequency/frequency_plan", "frequency/frequency_board", "relay/relay_procedure", "relay/relay_plan",
@@ -215,8 +225,13 @@ PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
     "tune/loop_uncertainty",  # the motors that runTune draws, for the pictures
     "tune/disturbance",  # a prediction, as the step of runAnalysis
     "apply/live_apply_procedure", "move/what_if",
+    "identify/axes_identification", "base/axis_model", "tune/tune_axes", "apply/apply_axes",  # several axes
+    "frequency/axes_frequency",
+    "base/doubtful_source",  # of a verdict: nothing moves
+    "base/axis_choice",  # which axes a device has: nothing moves
     "tune/position_law_parameters",  # a law as parameters and back: nothing moves, nothing is judged
-    "base/coil_watch",  # temperatures are read: nothing moves
+    "base/axis_choice",  # the axes of a device by name: nothing moves
+    "base/coil_temperature_monitor",  # temperatures are read: nothing moves
     "record/capture_orders")}  # the board captures: nothing moves, nothing is judged
 FITS = r"control/identify/|models/estimators/"
 PARTS_OF_PROCEDURES = r"\b(run(?!Procedure\b|Step\b|Window\b)[A-Z]\w*|identifyRecording|performMove)\s*\("
@@ -235,23 +250,42 @@ def panels_run_whole_procedures(files):
                 yield path, line_of(code, match.start()), f"{match.group(1)}: panels use {', '.join(PROCEDURES)}"
 
 
-REGISTRY = "devices/simulated/registry/simulated_models.cpp"
-ACTUATOR = re.compile(r"devices/(?:simulated|firmware)/(\w+)/")
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.S)
+REGISTRIES = {"devices": "devices/simulated/registry/simulated_models.cpp", "app": "app/actuators/registry/actuators.cpp"}
+ACTUATOR = re.compile(r"(devices|app)/(?:simulated|firmware|actuators)/(\w+)/")
+# Analyses of the motor that have no row of the table yet.
+ANALYSES = re.compile(r"app/actuators/htm/(?:amplifier_analysis|known_motor|motor_analysis|motor_geometry_analysis)\.h")
 
 
 def actuators_stay_in_their_folders(files):
-    """Below the app, an actuator (a folder of devices/simulated) is known to its own folders and one registry."""
+    """An actuator (a folder of devices/simulated) is known to its own folders and to one registry below the app and one in it."""
     actuators = {path.split("/")[2] for path in files if re.match(r"devices/simulated/(?!registry/)\w+/", path)}
     for path, text in files.items():
-        if not is_product(path) or not path.startswith("devices/") or path == REGISTRY:
+        layer = path.split("/")[0]
+        if not is_product(path) or layer not in REGISTRIES or path == REGISTRIES[layer]:
             continue
         for line, _, header in includes(text):
             named = ACTUATOR.match(header)
-            if named and named[1] in actuators and f"/{named[1]}/" not in path and "/boards/" not in path:
-                yield path, line, f"{header}: only {REGISTRY} names an actuator"
+            if named and named[2] in actuators and f"/{named[2]}/" not in path and "/boards/" not in path and not ANALYSES.match(header):
+                yield path, line, f"{header}: only {REGISTRIES[layer]} names an actuator"
+
+
+# Actuators that live in their folders alone; the motor's name still stands in its presets and analyses.
+NAMED_ONCE = re.compile(r"\bplanar\b")
+NAMED_IN = re.compile(r"/planar/|/registry/|^widgets/language/|^models/")
+
+
+def actuators_are_named_in_their_folders(files):
+    """No code beside an actuator's folders and the registries knows its name, not even in a text."""
+    for path, text in files.items():
+        if not is_product(path) or NAMED_IN.search(path):
+            continue
+        code = COMMENT.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), text)
+        for match in NAMED_ONCE.finditer(code):
+            yield path, line_of(code, match.start()), f"'{match.group()}' is known to its folders and the registries only"
 
 
 RULES = {rule.__name__: rule for rule in (
-    allowed_qt, firmware_is_plain_c, firmware_has_its_licence, file_sizes, function_sizes,
+    allowed_qt, firmware_is_plain_c, firmware_has_its_licence, one_type_per_name, file_sizes, function_sizes,
     forbidden_words, nothing_unfinished, names_and_guards, cites_only_what_is_here, every_source_has_its_test,
-    panels_run_whole_procedures, actuators_stay_in_their_folders)}
+    panels_run_whole_procedures, actuators_stay_in_their_folders, actuators_are_named_in_their_folders)}

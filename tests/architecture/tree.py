@@ -88,6 +88,29 @@ def function_lengths(text):
         head_start = position + 1
 
 
+TYPE_OR_BRACE = re.compile(
+    r"\bnamespace\s*([\w:]*)\s*\{"
+    r"|\b(?:struct|class|union|enum(?:\s+(?:class|struct))?)\s+(?:\[\[\w+\]\]\s*)?(\w+)(?:\s+final)?\s*(?::(?!:)[^;{}()]*)?\{"
+    r"|([{}])")
+
+
+def type_names(text):
+    """(line, qualified name) of every type defined outside of functions and unnamed namespaces."""
+    code, scopes = code_only(text), []
+    for match in TYPE_OR_BRACE.finditer(code):
+        space, name, brace = match.groups()
+        if brace == "}":
+            scopes = scopes[:-1]
+        elif brace == "{":
+            scopes.append(None)
+        elif name:
+            if None not in scopes:
+                yield line_of(code, match.start()), "::".join([*scopes, name])
+            scopes.append(None if None in scopes else name)
+        else:
+            scopes.append(space or None)
+
+
 def kind_of(head):
     if not head.strip():
         return "function"                        # the body after a constructor's `: a{1}`

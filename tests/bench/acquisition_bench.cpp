@@ -41,13 +41,13 @@ double connectionTime_s(app::DeviceSession& session) {
 /// Every block of the stream, as a second listener beside the window.
 class Listener {
 public:
-    void take(SampleBlockPtr block) {
+    void take(const TimedBlock& block) {
         const std::lock_guard lock(m_mutex);
-        m_rows += block->rows();
-        m_lost += block->lostRows;
-        m_first_s = m_first_s < 0.0 ? block->time_s.front() : m_first_s;
-        m_last_s = block->time_s.back();
-        m_blocks.push_back(std::move(block));
+        m_rows += block.rows();
+        m_lost += block.block->lostRows;
+        m_first_s = m_first_s < 0.0 ? block.begin_s() : m_first_s;
+        m_last_s = block.end_s();
+        m_blocks.push_back(block);
     }
     /// Rows that the device's time axis has and the stream has not.
     double missingRows() const {
@@ -56,11 +56,11 @@ public:
     }
     std::uint64_t lostRows() const { return m_lost; }
     std::size_t rows() const { return m_rows; }
-    const std::vector<SampleBlockPtr>& blocks() const { return m_blocks; }
+    const std::vector<TimedBlock>& blocks() const { return m_blocks; }
 
 private:
     mutable std::mutex m_mutex;
-    std::vector<SampleBlockPtr> m_blocks;
+    std::vector<TimedBlock> m_blocks;
     std::size_t m_rows = 0;
     std::uint64_t m_lost = 0;
     double m_first_s = -1.0;
@@ -86,7 +86,7 @@ void benchShare(Goals& goals, app::MainWindow& window) {
     constexpr int Duration_ms = 10000;
     app::DeviceSession& session = window.bench().session();
     const auto listener = std::make_shared<Listener>();
-    session.setBlockSink([listener](SampleBlockPtr block) { listener->take(std::move(block)); });
+    session.setBlockSink([listener](const TimedBlock& block) { listener->take(block); });
     const double before_s = connectionTime_s(session);
     QElapsedTimer wall;
     wall.start();
@@ -97,8 +97,10 @@ void benchShare(Goals& goals, app::MainWindow& window) {
     const double start_s =
         threadTime_s(); // what the window's thread does with them: the same blocks once more
     control::SampleHistory history(std::size_t{256} << 20);
-    for (const SampleBlockPtr& block : listener->blocks()) {
-        history.append(*block);
+    for (const TimedBlock& block : listener->blocks()) {
+        BlockColumns columns;
+        columns.shift_s = block.shift_s;
+        history.append(*block.block, columns);
     }
     used_s += threadTime_s() - start_s;
     if (static_cast<double>(listener->rows()) < 0.9 * Rate_Hz * wall_s) {

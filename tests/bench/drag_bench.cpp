@@ -82,7 +82,7 @@ struct TuneRig {
             }
             designs.push_back(keptDesign(method, *text));
         }
-        panel.setKeptDesigns(std::move(designs));
+        panel.setSavedDesigns(std::move(designs));
         const auto isDrawn = [this] { return curves() >= 4; };
         return QTest::qWaitFor(isDrawn, Patience_ms);
     }

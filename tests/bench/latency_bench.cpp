@@ -94,7 +94,7 @@ private:
                               static_cast<double>(row + BlockRows - m_first) * Period_s));
             (void)std::promise<void>().get_future().wait_until(due);
             m_late_s = std::max(m_late_s.load(), std::chrono::duration<double>(Clock::now() - due).count());
-            m_inbox.push(block);
+            m_inbox.push(TimedBlock(block));
         }
     }
 
@@ -140,10 +140,10 @@ int run(Application& application) {
     std::vector<double> ages_s;
     int frames = 0;
     QObject::connect(&stack, &widgets::LivePlotStack::frameStarting, &stack, [&] {
-        for (const SampleBlockPtr& block : inbox.take()) {
-            history.append(*block);
+        for (const TimedBlock& block : inbox.take()) {
+            history.append(*block.block);
             waiting.push_back(row);
-            row += block->rows();
+            row += block.rows();
         }
     });
     application.onPainted = [&] {

@@ -1,11 +1,15 @@
 // The models of the planar positioner against the times that a simulated board at 1 kHz can spend on them.
+#include "control/base/random.h"
+#include "control/signals/travel_profile.h"
 #include "models/planar/planar_plant.h"
 #include "models/planar/pose_estimator.h"
 #include "tests/bench/goal.h"
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 
 namespace halbench::bench {
@@ -50,6 +54,33 @@ void benchPose(Goals& goals) {
     goals.below("pose from six readings", time_us, 2.0, "us");
 }
 
+/// Over a million random moves: how long one takes to solve, and by how much a limit or the end is missed.
+void benchProfile(Goals& goals) {
+    Random random(1);
+    const auto decades = [&random](double from, double to) {
+        return std::pow(10.0, from + (to - from) * random.uniform());
+    };
+    double excess = 0.0;
+    double miss = 0.0;
+    for (int i = 0; i < 1000000; ++i) {
+        const double distance = decades(-6.0, 0.0);
+        const control::TravelLimits limits{decades(-3.0, 1.0), decades(-2.0, 2.0), decades(-1.0, 4.0)};
+        const auto profile = control::TravelProfile::solve(distance, limits);
+        excess = std::max({excess, profile->peakSpeed() / limits.speed - 1.0,
+                           profile->peakAcceleration() / limits.acceleration - 1.0,
+                           *profile->jerk() / *limits.jerk - 1.0});
+        const double middle_s = 0.5 * profile->duration_s();
+        miss = std::max(miss, std::fabs(2.0 * profile->at(middle_s).value / distance - 1.0));
+    }
+    goals.below("limits of a million random travels missed by", 1e10 * excess, 1.0, "1e-10");
+    goals.below("their distance missed by", 1e8 * miss, 1.0, "1e-8");
+    const double solve_us = perCall_us([](int i) {
+        const auto profile = control::TravelProfile::solve(1e-3 + 1e-6 * i, {0.1, 0.5, 10.0});
+        benchmark::DoNotOptimize(profile->duration_s());
+    });
+    goals.below("jerk-limited profile solved", solve_us, 5.0, "us");
+}
+
 void benchPlant(Goals& goals) {
     auto plant = *models::PlanarPlant::make({}, 1);
     std::array<float, models::PlanarPlant::ReadingCount> codes{};
@@ -70,5 +101,6 @@ int main() {
     halbench::bench::benchWrench(goals);
     halbench::bench::benchPose(goals);
     halbench::bench::benchPlant(goals);
+    halbench::bench::benchProfile(goals);
     return goals.exitCode();
 }

@@ -230,9 +230,9 @@ void benchSave(StopBench& bench, app::MainWindow& window, CurrentWatch& watch) {
         recorded.layout.columns.push_back({name, ""});
     }
     const auto recorder = std::make_shared<app::Recorder>(std::move(recorded));
-    workbench.session().setBlockSink([recorder, &watch](const SampleBlockPtr& block) {
+    workbench.session().setBlockSink([recorder, &watch](const TimedBlock& block) {
         recorder->push(block);
-        watch.take(*block);
+        watch.take(*block.block);
     });
     std::atomic<bool> isEnding = false;
     std::thread exporter([&] {
@@ -251,7 +251,7 @@ void benchSave(StopBench& bench, app::MainWindow& window, CurrentWatch& watch) {
     bench.run("during a file save", window, {});
     isEnding = true;
     exporter.join();
-    workbench.session().setBlockSink([&watch](const SampleBlockPtr& block) { watch.take(*block); });
+    workbench.session().setBlockSink([&watch](const TimedBlock& block) { watch.take(*block.block); });
     window.project().startNew();
 }
 
@@ -332,7 +332,7 @@ int run(bool isFullLoadAlone) {
         return goals.exitCode();
     }
     CurrentWatch watch;
-    window->bench().session().setBlockSink([&watch](const SampleBlockPtr& block) { watch.take(*block); });
+    window->bench().session().setBlockSink([&watch](const TimedBlock& block) { watch.take(*block.block); });
     StopBench bench(goals, *window, watch);
 
     if (!isFullLoadAlone) {

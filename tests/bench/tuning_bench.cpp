@@ -34,7 +34,7 @@ MotorEstimate motor() {
     return estimate;
 }
 
-/// A verification move of 3 s, as the window has one while the gains are shaped after an apply.
+/// A verification move of 3 s, as the window has one while the gains are filtered after an apply.
 std::shared_ptr<const WhatIfBasis> verifiedMove() {
     const control::PositionLaw ran = *control::designLaw("published", *plantFromEstimate(motor()), {}, {});
     const std::vector<control::ReferencePoint> reference(1, {0.5, 0.0, 0.0});
@@ -147,23 +147,23 @@ void benchCompared(Goals& goals, TuneQuestion& question, const std::function<voi
 }
 
 /// A law with weights, a notch and a low-pass, whose gain is in the hand.
-void benchShaped(Goals& goals) {
+void benchFiltered(Goals& goals) {
     TuneQuestion question;
     question.motor = motor();
-    control::ShapedLaw shaped;
-    shaped.gains = control::designLaw("recommended", *plantFromEstimate(question.motor), {}, {})->gains;
-    shaped.gains.proportional *= 0.3;
-    shaped.gains.integral *= 0.1;
-    shaped.gains.derivative *= 0.4;
-    shaped.gains.filter_s = 0.002;
-    shaped.proportionalWeight = 0.8;
-    shaped.filters = {control::NotchFilter{180.0, 0.2, 0.5}, control::LowPassFilter{250.0, 2}};
+    control::FilteredLaw filtered;
+    filtered.gains = control::designLaw("recommended", *plantFromEstimate(question.motor), {}, {})->gains;
+    filtered.gains.proportional *= 0.3;
+    filtered.gains.integral *= 0.1;
+    filtered.gains.derivative *= 0.4;
+    filtered.gains.filter_s = 0.002;
+    filtered.proportionalWeight = 0.8;
+    filtered.filters = {control::NotchFilter{180.0, 0.2, 0.5}, control::LowPassFilter{250.0, 2}};
     double factor = 1.0;
     Pictures pictures;
     const double refresh_s = processorTime_s(
         [&] {
             factor = factor > 1.3 ? 1.0 : factor * 1.02;
-            control::ShapedLaw now = shaped;
+            control::FilteredLaw now = filtered;
             now.gains.proportional *= factor;
             question.law = LoopLaw{control::PositionLaw{now.gains}, now};
             const auto sketch = sketchTuning(question);
@@ -224,6 +224,6 @@ int main(int count, char** words) {
     const QApplication application(count, words);
     halbench::bench::Goals goals;
     halbench::bench::benchRefresh(goals);
-    halbench::bench::benchShaped(goals);
+    halbench::bench::benchFiltered(goals);
     return goals.exitCode();
 }

@@ -47,6 +47,21 @@ TEST(ProfileAxes, areRead) {
     EXPECT_EQ(axis.endTolerance, 1e-5);
 }
 
+TEST(ProfileAxes, aBoardMayTellTheCommandOfAnAxis) {
+    const auto without = parseProfile(profileWith("[" + std::string(Axis) + "]"), "x.json");
+    ASSERT_TRUE(without);
+    EXPECT_EQ(without->axes.front().roles.command, "");
+    const std::string telling =
+        changed(R"("effort": "effort.z")", R"("effort": "effort.z", "command": "truth.z")");
+    const auto with = parseProfile(profileWith("[" + telling + "]"), "x.json");
+    ASSERT_TRUE(with) << with.error().message;
+    EXPECT_EQ(with->axes.front().roles.command, "truth.z");
+    const std::string unknown = changed(R"("effort": "effort.z")", R"("effort": "effort.z", "command": "c")");
+    const auto refused = parseProfile(profileWith("[" + unknown + "]"), "x.json");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("axes.0.roles.command"), std::string::npos);
+}
+
 TEST(ProfileAxes, mistakesAreNamedWithTheirPlace) {
     const std::vector<std::pair<std::string, std::string>> mistakes = {
         {"3", "\"axes\""},
@@ -84,7 +99,7 @@ TEST(ProfileAxes, boardThatLacksThePositionHasNoSuchAxis) {
 
 TEST(ProfileAxes, shippedDevicesHaveTheirs) {
     const std::vector<std::pair<const char*, std::vector<std::string>>> devices = {
-        {"htm", {"angle"}}, {"planar", {"x", "y", "phi"}}};
+        {"htm", {"angle"}}, {"planar", {"x", "y", "phi"}}, {"spherical", {}}};
     for (const auto& [model, ids] : devices) {
         const auto profile = findProfile(model);
         ASSERT_TRUE(profile && *profile) << model;

@@ -43,7 +43,7 @@ TEST(Profile, readsEveryKey) {
 }
 
 TEST(Profile, namesFileAndKeyOfAMistake) {
-    EXPECT_EQ(complaintAbout("{").rfind("x.json: octet ", 0), 0U);
+    EXPECT_EQ(complaintAbout("{").rfind("x.json: byte ", 0), 0U);
     EXPECT_NE(complaintAbout("[]").find("one JSON object"), std::string::npos);
     EXPECT_NE(complaintAbout(R"({"schema": "other/1", "model": "m"})").find("\"schema\""), std::string::npos);
     EXPECT_NE(complaintAbout(R"({"schema": "halbench.profile/1"})").find("\"model\""), std::string::npos);

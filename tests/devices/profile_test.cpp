@@ -28,7 +28,7 @@ TEST(Profile, givesRolesDefaultsAndConstantsToACatalogue) {
 
 TEST(Profile, refusesEveryMistakeWithItsPlace) {
     const std::vector<std::pair<const char*, const char*>> mistakes = {
-        {"{", "octet"},
+        {"{", "byte"},
         {"[]", "object"},
         {R"({"schema": "halbench.profile/2", "model": "x"})", "schema"},
         {R"({"schema": "halbench.profile/1"})", "model"},

@@ -14,7 +14,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     for (const ExperimentStep& step : experiment->steps) {
         if (step.kind == "identify") {
-            (void)identifyConfigOf(step);
+            (void)identifyConfigOf(step, actuatorOf({}));
         } else if (step.kind == "calibrate") {
             (void)calibrateConfigOf(step);
         } else if (step.kind == "move") {

@@ -1,7 +1,7 @@
 #include "tests/gui/inspection.h"
 
 #include "tests/gui/needless_cuts.h"
-#include "tests/gui/seen_words.h"
+#include "tests/gui/seen_text.h"
 #include "tests/gui/word_contrast.h"
 #include "tests/gui/word_room.h"
 #include "widgets/theme/theme_style.h"

@@ -14,7 +14,7 @@ QHash<QString, QString> phrasesOf(const QString& language);
 
 /// What a picky user would find in the visible widgets below `root`: words wider than their widget, controls
 /// without a name or a tooltip, English words in another language, contrast under 4.5; those of tabs,
-/// columns, cells and empty fields (seen_words.h) among them. One line each, with the widget's path.
+/// columns, cells and empty fields (seen_text.h) among them. One line each, with the widget's path.
 QStringList inspect(const QWidget& root, const QHash<QString, QString>& phrases);
 
 /// Access keys that a menu has twice, and English words in it.

@@ -5,7 +5,6 @@
 
 #include <QHeaderView>
 #include <QTreeView>
-#include <qtadvanceddocking/DockWidget.h>
 
 namespace halbench::gui {
 namespace {
@@ -36,7 +35,7 @@ TEST_P(PanelRoomTest, everyUnitOfTheParametersIsReadWithoutScrolling) {
         window->resize(size);
         for (const Perspective perspective : {Perspective::Monitor, Perspective::Tune}) {
             window->docks().setPerspective(perspective);
-            window->docks().docks().value("parameters")->setAsCurrentTab();
+            window->docks().raise("parameters");
             ASSERT_TRUE(wait([&] { return parameters() != nullptr; }));
             QTest::qWait(50); // one frame of the window
             const QTreeView& view = *parameters();

@@ -36,7 +36,7 @@ void NumberLabel::clear() {
 void NumberLabel::setStale(bool isStale) {
     if (m_isStale != isStale) {
         m_isStale = isStale;
-        setToolTip(isStale ? tr("No new value from the device: this is the last one it sent") : QString());
+        setToolTip(isStale ? tr("No new value from the device; last value shown") : QString());
         describe();
     }
 }

@@ -1,7 +1,7 @@
 #include "widgets/controls/optional_number_edit.h"
 
 #include "widgets/language/display_units.h"
-#include "widgets/language/number_words.h"
+#include "widgets/language/number_text.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QEvent>

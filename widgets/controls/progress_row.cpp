@@ -84,7 +84,7 @@ void ProgressRow::setCancelling() {
 
 void ProgressRow::refreshWords() {
     m_cancel->setText(m_isCancelling ? tr("Cancelling…") : tr("Cancel"));
-    m_cancel->setToolTip(tr("Cancel and put everything back as it was"));
+    m_cancel->setToolTip(tr("Cancel and restore the previous state"));
     m_cancel->setAccessibleName(tr("Cancel"));
     m_cancel->setEnabled(!m_isCancelling);
     m_remaining->setText(m_isCancelling || !m_remaining_s ? QString()

@@ -2,7 +2,7 @@
 
 #include "control/base/assert.h"
 #include "widgets/language/display_units.h"
-#include "widgets/language/number_words.h"
+#include "widgets/language/number_text.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QEvent>

@@ -20,7 +20,7 @@ class ShareHandle : public QSplitterHandle {
 public:
     explicit ShareHandle(ShareSplitter& splitter)
         : QSplitterHandle(splitter.orientation(), &splitter), m_splitter(splitter) {
-        setToolTip(ShareSplitter::tr("Drag to share the room; a double click shares it evenly"));
+        setToolTip(ShareSplitter::tr("Drag to change the sizes; double-click for equal sizes"));
     }
 
 protected:

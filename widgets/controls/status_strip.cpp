@@ -10,6 +10,8 @@
 #include <QLabel>
 #include <QStyleHints>
 
+#include <algorithm>
+
 namespace halbench::widgets {
 namespace {
 
@@ -57,18 +59,16 @@ QString iconOfState(WorkState state) {
 } // namespace
 
 StatusStrip::StatusStrip(QWidget* parent)
-    : QFrame(parent), m_deviceLabel(new ElidedLabel(DeviceCharacters, this)),
-      m_simulatedBadge(new QLabel(this)), m_stateSymbol(new QLabel(this)),
-      m_stateBadge(new ElidedLabel(StateCharacters, this)) {
+    : QFrame(parent), m_deviceLabel(new ElidedLabel(DeviceCharacters, this)), m_kindBadge(new QLabel(this)),
+      m_stateSymbol(new QLabel(this)), m_stateBadge(new ElidedLabel(StateCharacters, this)) {
     setProperty("surface", QStringLiteral("strip"));
-    m_simulatedBadge->setProperty("badge", true);
+    m_kindBadge->setProperty("badge", true);
     m_stateBadge->setProperty("badge", true);
-    setRole(*m_simulatedBadge, Role::Simulated);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(PanelMargin_px, GridStep_px, PanelMargin_px, GridStep_px);
     row->setSpacing(PanelMargin_px);
     row->addWidget(m_deviceLabel);
-    row->addWidget(m_simulatedBadge);
+    row->addWidget(m_kindBadge);
     row->addSpacing(GridStep_px);
     row->addWidget(m_stateSymbol);
     row->addWidget(m_stateBadge);
@@ -102,14 +102,14 @@ void StatusStrip::setFaultLatched(bool isLatched) {
     refreshSymbol();
 }
 
-void StatusStrip::setDevice(const QString& name, bool isSimulated) {
+void StatusStrip::setDevice(const QString& name, SourceKind kind) {
     m_device = name;
-    m_isSimulated = isSimulated;
+    m_kind = kind;
     refresh();
 }
 
 void StatusStrip::clearDevice() {
-    setDevice({}, false);
+    setDevice({}, SourceKind::Device);
 }
 
 void StatusStrip::addControl(QWidget& control) {
@@ -127,9 +127,9 @@ void StatusStrip::setControlShown(bool isShown) {
 QString StatusStrip::stateText() const {
     switch (m_state) {
     case WorkState::Connected:
-        return tr("Connected");
+        return m_kind == SourceKind::Recording ? tr("Open") : tr("Connected");
     case WorkState::Armed:
-        return m_detail.isEmpty() ? tr("Armed") : tr("Armed, %1").arg(m_detail);
+        return m_detail.isEmpty() ? tr("Armed") : tr("Armed: %1").arg(m_detail);
     case WorkState::Running:
         return m_detail.isEmpty() ? tr("Running") : tr("Running %1").arg(m_detail);
     case WorkState::Stopped:
@@ -146,16 +146,21 @@ void StatusStrip::refresh() {
     const Role role = roleOfState(m_state);
     m_deviceLabel->setWords(m_device.isEmpty() ? tr("No device") : m_device);
     setRole(*m_deviceLabel, m_device.isEmpty() ? Role::Muted : Role::None);
-    m_simulatedBadge->setText(tr("SIMULATED"));
-    m_simulatedBadge->setToolTip(tr("This device is a simulation inside the program; nothing real moves"));
-    m_simulatedBadge->setVisible(m_isSimulated);
+    const bool isRecording = m_kind == SourceKind::Recording;
+    m_kindBadge->setText(isRecording ? tr("RECORDING") : tr("SIMULATED"));
+    m_kindBadge->setToolTip(isRecording ? tr("Recorded samples; no device is connected")
+                                        : tr("Simulated device inside the program; no real motion"));
+    setRole(*m_kindBadge, isRecording ? Role::Primary : Role::Simulated);
+    m_kindBadge->setVisible(m_kind != SourceKind::Device);
     refreshSymbol();
     m_stateBadge->setWords(stateText());
     setRole(*m_stateBadge, role);
     setRole(*this, role);
     setAccessibleName(tr("State of the device"));
-    setAccessibleDescription(m_isSimulated ? tr("%1, simulated, %2").arg(m_deviceLabel->words(), stateText())
-                                           : tr("%1, %2").arg(m_deviceLabel->words(), stateText()));
+    const QString sentence = isRecording                        ? tr("%1, recording, %2")
+                             : m_kind == SourceKind::Simulation ? tr("%1, simulated, %2")
+                                                                : tr("%1, %2");
+    setAccessibleDescription(sentence.arg(m_deviceLabel->words(), stateText()));
 }
 
 void StatusStrip::refreshSymbol() {
@@ -174,8 +179,13 @@ QSize StatusStrip::minimumSizeHint() const {
     const int control_px = m_control == nullptr || m_control->isHidden()
                                ? 0
                                : m_control->minimumSizeHint().width() + layout()->spacing();
+    // The wider of the two badges, shown or not.
+    const QString other = m_kind == SourceKind::Recording ? tr("SIMULATED") : tr("RECORDING");
+    const QFontMetrics letters = m_kindBadge->fontMetrics();
+    const int wider_px =
+        std::max(0, letters.horizontalAdvance(other) - letters.horizontalAdvance(m_kindBadge->text()));
     const int badge_px =
-        m_simulatedBadge->isHidden() ? m_simulatedBadge->sizeHint().width() + layout()->spacing() : 0;
+        wider_px + (m_kindBadge->isHidden() ? m_kindBadge->sizeHint().width() + layout()->spacing() : 0);
     return {now.width() + spared_px(*m_deviceLabel, DeviceCharacters) +
                 spared_px(*m_stateBadge, StateCharacters) + badge_px - control_px,
             now.height()};

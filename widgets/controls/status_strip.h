@@ -12,7 +12,11 @@ class ElidedLabel;
 
 enum class WorkState { Disconnected, Connected, Armed, Running, Stopped, Fault };
 
-/// The state of the work, said once for the whole window: device, SIMULATED, state with its detail.
+/// What the samples come from.
+enum class SourceKind { Device, Simulation, Recording };
+
+/// The state of the work, said once for the whole window: device, SIMULATED or RECORDING, state with its
+/// detail. A recording has no state: nothing in it can be armed or stopped.
 class StatusStrip : public QFrame {
     Q_OBJECT
 public:
@@ -24,7 +28,7 @@ public:
     /// A latched fault: its symbol blinks slowly, its words stay; not where the desktop's cursor does not
     /// blink.
     void setFaultLatched(bool isLatched);
-    void setDevice(const QString& name, bool isSimulated);
+    void setDevice(const QString& name, SourceKind kind);
     void clearDevice();
     /// What can be done about a state, e.g. a stop's release, at the right end; hidden at first. It takes its
     /// room from the words alone: nothing beside the strip moves when it comes, and nothing comes under a
@@ -50,9 +54,9 @@ private:
     QString m_device;
     QTimer m_blink;
     bool m_isSymbolShown = true;
-    bool m_isSimulated = false;
+    SourceKind m_kind = SourceKind::Device;
     ElidedLabel* m_deviceLabel = nullptr;
-    QLabel* m_simulatedBadge = nullptr;
+    QLabel* m_kindBadge = nullptr;
     QLabel* m_stateSymbol = nullptr;
     ElidedLabel* m_stateBadge = nullptr;
     QWidget* m_control = nullptr; ///< none until one is added

@@ -52,13 +52,12 @@ void StopButton::changeEvent(QEvent* event) {
 void StopButton::refresh() {
     setText(tr("STOP"));
     if (!m_isLatched) {
-        setToolTip(tr("Software stop: current to zero at once, latched until it is released (Esc)"));
+        setToolTip(tr("Software stop: current off, latched until released (Esc)"));
     } else {
         const QString why = m_reason.isEmpty() ? tr("Stopped.") : tr("Stopped: %1.").arg(m_reason);
-        setToolTip(
-            tr("%1 This and Esc still stop; Release, beside the state, takes the stop back.").arg(why));
+        setToolTip(tr("%1 STOP and Esc still work. To continue: Release, next to the state.").arg(why));
     }
-    setAccessibleName(m_isLatched ? tr("Stopped, stop again") : tr("Stop"));
+    setAccessibleName(m_isLatched ? tr("Stopped; press again to repeat the stop") : tr("Stop"));
     setAccessibleDescription(toolTip());
     updateGeometry();
 }

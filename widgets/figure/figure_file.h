@@ -33,4 +33,7 @@ Result<QByteArray> pictureFile(const Figure& figure, const Theme& theme, Picture
 /// What writes it, on any thread. Errors: FileSystem, that of `content`.
 std::function<Result<void>()> pictureWriting(Result<QByteArray> content, const QString& path);
 
+/// A picture of one moment: what writes it to the file that was chosen, on any thread.
+using PictureSaving = std::function<std::function<Result<void>()>(const QString& path)>;
+
 } // namespace halbench::widgets

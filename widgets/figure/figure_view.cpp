@@ -126,7 +126,7 @@ void FigureView::refreshWords() {
         action->setEnabled(!isEmpty());
     }
     setAccessibleName(isEmpty() ? tr("Picture") : QString::fromStdString(m_figure.title));
-    const QString summary = isEmpty() ? tr("Nothing to show yet") : figureSummary(m_figure);
+    const QString summary = isEmpty() ? tr("No data to show") : figureSummary(m_figure);
     setAccessibleDescription(m_probe ? probeText() : summary + handleWords());
 }
 
@@ -153,23 +153,28 @@ QImage FigureView::image(double pixelRatio) const {
     return drawn(shown->figure, shown->layout, {size(), pixelRatio, scale()}, paperTheme(), nullptr);
 }
 
-std::function<Result<void>()> FigureView::saving(const QString& path) const {
+PictureSaving FigureView::taken() const {
     if (isEmpty()) {
-        return
-            [] { return Result<void>(failure(ErrorCode::InvalidInput, "there is no picture to save", "")); };
+        return [](const QString&) {
+            return [] { return Result<void>(failure(ErrorCode::InvalidInput, "no picture to save", "")); };
+        };
     }
-    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        return pictureWriting(QByteArray::fromStdString(figureTable(m_numbers.value_or(m_figure))), path);
-    }
-    const PictureFormat format = pictureFormat(path).value_or(PictureFormat::Png);
-    return pictureWriting(format == PictureFormat::Png ? png(image(2.0)) : picture(format), path);
-}
-
-/// Of its own size, or as it stands where sizes mean something.
-Result<QByteArray> FigureView::picture(PictureFormat format) const {
-    return m_figure.isEqualScale
-               ? pictureFile(arranged()->figure, paperTheme(), format, static_cast<int>(width() / scale()))
-               : pictureFile(m_figure, paperTheme(), format);
+    return [shown = arranged(), figure = m_figure, numbers = m_numbers.value_or(m_figure), size = size(),
+            scale = scale()](const QString& path) {
+        if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+            return pictureWriting(QByteArray::fromStdString(figureTable(numbers)), path);
+        }
+        const PictureFormat format = pictureFormat(path).value_or(PictureFormat::Png);
+        if (format == PictureFormat::Png) {
+            return pictureWriting(
+                png(drawn(shown->figure, shown->layout, {size, 2.0, scale}, paperTheme(), nullptr)), path);
+        }
+        // Of its own size, or as it stands where sizes mean something.
+        return pictureWriting(figure.isEqualScale ? pictureFile(shown->figure, paperTheme(), format,
+                                                                static_cast<int>(size.width() / scale))
+                                                  : pictureFile(figure, paperTheme(), format),
+                              path);
+    };
 }
 
 const FigureView::Wish& FigureView::wish() const {

@@ -56,16 +56,16 @@ public:
 
     /// Drawn anew, `scale` pixels to a device-independent one.
     QImage image(double scale) const;
-    /// What writes the picture as it is now to a file, on any thread; .svg keeps its text, .csv has its
-    /// numbers (figure_table.h), everything else is .png. Its errors: InvalidInput (nothing to save),
-    /// FileSystem.
-    std::function<Result<void>()> saving(const QString& path) const;
+    /// The picture as it is now, to be written to a file that is chosen later; .svg and .pdf keep their text,
+    /// .csv has its numbers (figure_table.h), everything else is .png. Errors of the writing: InvalidInput
+    /// (nothing to save), FileSystem.
+    PictureSaving taken() const;
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
-    void exportRequested(); ///< whoever owns the view asks for a file and runs saving()
+    void exportRequested(); ///< whoever owns the view calls taken(), then asks for a file
     void handleTaken(int handle);
     void handleMoved(int handle, double x, double y); ///< in the units of its panel's axes
     void handleReleased(int handle);
@@ -110,7 +110,6 @@ private:
     bool step(const QKeyEvent& event);
     void drawHandles(QPainter& painter, const Figure& figure, const FigureLayout& layout) const;
     QString handleWords() const;
-    Result<QByteArray> picture(PictureFormat format) const;
     void refresh();
     void refreshWords();
     void probe(std::optional<FigurePoint> point);

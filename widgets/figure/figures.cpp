@@ -28,7 +28,7 @@ ReferenceLine zeroLine() {
 Curve pointsOf(const std::vector<RegressionContent::Point>& points, bool isUsed,
                double RegressionContent::Point::*value) {
     Curve curve;
-    curve.label = isUsed ? utf8(Words::tr("measured")) : utf8(Words::tr("left out"));
+    curve.label = isUsed ? utf8(Words::tr("measured")) : utf8(Words::tr("excluded"));
     curve.style = isUsed ? CurveStyle::Points : CurveStyle::HollowPoints;
     curve.colour = 0;
     for (const RegressionContent::Point& point : points) {

@@ -34,7 +34,7 @@ struct Phrasebook {
 Phrasebook readTables() {
     Phrasebook book;
     for (const auto& table : {phrasesOfBoards(), phrasesOfControl(), phrasesOfLines(), phrasesOfDevices(),
-                              phrasesOfProcedures(), phrasesOfFiles()}) {
+                              phrasesOfProcedures(), phrasesOfActuators(), phrasesOfFiles()}) {
         for (const char* phrase : table) {
             const QStringList pieces = QString::fromUtf8(phrase).split(QStringLiteral("{}"));
             if (pieces.size() == 1) {
@@ -155,19 +155,34 @@ std::optional<QString> sentence(const QString& english) {
     return placed ? placed : continued(english);
 }
 
-/// A text of several sentences: all but the last have lost their full stop to the split.
-std::optional<QStringList> sentences(const QString& english) {
-    const QStringList parts = english.split(QStringLiteral(". "));
-    QStringList said;
-    for (const QString& part : parts) {
-        const auto whole = said.size() + 1 < parts.size() ? sentence(part + QLatin1Char('.')) : std::nullopt;
-        const auto found = whole ? whole : sentence(part);
-        if (!found) {
-            return std::nullopt;
+/// A phrase or the beginning of a text that is one, with what is left of the text; the longest beginning
+/// counts, as a phrase may itself have several sentences. All but the last have lost their full stop to the
+/// split.
+std::optional<QStringList> sentences(const QStringList& parts) {
+    for (int count = parts.size(); count > 0; --count) {
+        const QString text = parts.mid(0, count).join(QStringLiteral(". "));
+        const bool isLast = count == parts.size();
+        std::optional<QString> found;
+        if (!isLast) {
+            found = sentence(text + QLatin1Char('.'));
         }
-        said << (whole ? found->chopped(1) : *found);
+        if (found) {
+            found->chop(1);
+        } else {
+            found = sentence(text);
+        }
+        if (found && isLast) {
+            return QStringList(*found);
+        }
+        if (const auto rest = found ? sentences(parts.mid(count)) : std::nullopt) {
+            return QStringList(*found) + *rest;
+        }
     }
-    return said;
+    return std::nullopt;
+}
+
+std::optional<QStringList> sentences(const QString& english) {
+    return sentences(english.split(QStringLiteral(". ")));
 }
 
 /// Files are ASCII; on the screen each of these has one spelling.

@@ -20,14 +20,13 @@ std::optional<QString> windowTerms(const QString& hint) {
          "inertia fixed to the rotor (--bare, --added-inertia)",
          Words::tr("choose Identify again and enter the given inertia J or the given torque constant φ")},
         {"identify the bare motor again without --given",
-         Words::tr("identify the bare motor again and leave the given constants empty")},
+         Words::tr("identify the bare motor again with empty constants")},
         {"steady speeds alone do not show the inertia: identify with run-ups and coast-downs, or give the "
          "constant that is known (--given J=...)",
-         Words::tr(
-             "steady speeds alone do not show the inertia: identify again with run-ups and coast-downs, "
-             "or enter the given inertia J")},
-        {"add --bandwidth-hz HZ", Words::tr("enter the bandwidth that is wanted")},
-        {"add --phase-margin-deg DEG", Words::tr("enter the phase margin that is wanted")}};
+         Words::tr("steady speeds alone do not determine the inertia: identify again with run-ups and "
+                   "coast-downs, or enter the given inertia J")},
+        {"add --bandwidth-hz HZ", Words::tr("enter the required bandwidth")},
+        {"add --phase-margin-deg DEG", Words::tr("enter the required phase margin")}};
     for (const auto& [below, here] : terms) {
         if (hint == QString::fromUtf8(below)) {
             return here;

@@ -2,8 +2,8 @@
 
 #include "widgets/language/display_units.h"
 #include "widgets/language/time_decimals.h"
-#include "widgets/live_plot/time_field.h"
-#include "widgets/live_plot/value_range.h"
+#include "widgets/live_plot/axes/time_field.h"
+#include "widgets/live_plot/axes/value_range.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QAction>
@@ -46,14 +46,14 @@ CursorBar::CursorBar(QWidget* parent)
 }
 
 void CursorBar::addPairFields() {
-    m_menu->setAccessibleName(tr("Pair that measures"));
+    m_menu->setAccessibleName(tr("Active pair"));
     m_menu->setPopupMode(QToolButton::InstantPopup);
     m_menu->setMenu(m_list);
     m_list->setToolTipsVisible(true);
     connect(m_list, &QMenu::aboutToShow, this, &CursorBar::fillMenu);
     m_name->setObjectName(QStringLiteral("name"));
     m_name->setAccessibleName(tr("Name of the cursor pair"));
-    m_name->setToolTip(tr("Name of the pair that measures; a pair with a name is kept in the project (F2)"));
+    m_name->setToolTip(tr("Name of the active pair; named pairs are saved in the project (F2)"));
     m_name->setMaxLength(LongestName);
     m_name->setFixedWidth(fontMetrics().averageCharWidth() * (NameCharacters + 4));
     m_name->hide();
@@ -82,8 +82,7 @@ void CursorBar::addTimeField(int index) {
     auto* field = new TimeField(this);
     field->setAccessibleName(tr("Time of cursor %1").arg(name));
     field->setToolTip(
-        tr("Time of cursor %1: type it, drag the line, or press %1 and move it with the arrow keys")
-            .arg(name));
+        tr("Time of cursor %1: type it, drag the line, or press %1 and the arrow keys").arg(name));
     connect(field, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
             [this, index](double time_s) { Q_EMIT cursorTyped(index, time_s); });
     auto* label = new QLabel(name, this);
@@ -113,7 +112,7 @@ void CursorBar::setPairs(const CursorPairs& pairs) {
                     : name.size() <= NameCharacters + 1 ? name
                                                         : name.left(NameCharacters) + QChar(0x2026));
     m_menu->setToolTip(
-        tr("Pair that measures: %1. N adds one, P chooses the next, F2 names it; the others are drawn faint")
+        tr("Active pair: %1. N adds a pair, P selects the next, F2 names it; the others are faint")
             .arg(name));
     m_refusal->clear();
     m_distance->show();

@@ -8,14 +8,18 @@
 #include <QKeyEvent>
 #include <QKeySequence>
 #include <QMenu>
+#include <QPaintEvent>
+#include <QPainter>
 #include <QScrollBar>
 
 #include <algorithm>
+#include <utility>
 
 namespace halbench::widgets {
 namespace {
 
 constexpr int CellPadding = 8;
+constexpr int InsideAlpha = 216;   ///< of 255: numbers stay readable over curves
 constexpr int MostRowsBelow = 4;   ///< of a legend below its plot; further ones are scrolled to
 constexpr int LongestName = 22;    ///< characters of a curve's name before it is shortened
 constexpr int LineSampleRoom = 40; ///< beside the name
@@ -54,10 +58,9 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     horizontalHeader()->setTextElideMode(Qt::ElideRight); // a narrow name's column says so
     setCursorColumnsShown(false, false);
     setAccessibleName(tr("Legend with live values"));
-    setAccessibleDescription(tr(
-        "Space hides or shows the chosen curve, R puts it on the other axis, U offers its units, Ctrl and an "
-        "arrow key puts it into the plot on that side, Ctrl+Shift+Down into one of its own, Ctrl+Shift+Right "
-        "into one beside, Delete removes it from the plot."));
+    setAccessibleDescription(tr("Space hides or shows the curve, R changes its axis, U its unit, Ctrl with "
+                                "an arrow key moves it to the next plot, Ctrl+Shift+Down to a new plot, "
+                                "Ctrl+Shift+Right to a new plot beside, Delete removes it."));
     setToolTip(accessibleDescription());
     connect(this, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { Q_EMIT toggleRequested(index.row()); });
@@ -65,10 +68,16 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
 
 void LiveLegend::setTheme(const Theme& theme) {
     m_table.setTheme(theme);
-    QPalette colours = palette();
-    colours.setColor(QPalette::Base, theme.panel);
-    colours.setColor(QPalette::Text, theme.text);
-    setPalette(colours);
+    m_theme = theme;
+    viewport()->update();
+}
+
+/// The sheet leaves the ground to the legend: in a plot the curves shine through it.
+void LiveLegend::paintEvent(QPaintEvent* event) {
+    QColor ground = m_isInside ? m_theme.plotBackground : m_theme.panel;
+    ground.setAlpha(m_isInside ? InsideAlpha : 255);
+    QPainter(viewport()).fillRect(event->rect(), ground);
+    QTableView::paintEvent(event);
 }
 
 void LiveLegend::setCursorColumnsShown(bool areShown, bool hasHeader) {
@@ -130,11 +139,34 @@ void LiveLegend::setWidths(const Widths& widths, int total_px) {
 
 void LiveLegend::setBelow(bool isBelow) {
     m_isBelow = isBelow;
-    const int header_px = horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
-    const int rows = std::clamp(m_table.rowCount(), 1, MostRowsBelow);
-    const int height_px = header_px + rows * verticalHeader()->defaultSectionSize() + 2 * frameWidth();
+    if (isBelow && std::exchange(m_isInside, false)) {
+        viewport()->update();
+    }
+    const int height_px = wantedHeight(std::clamp(m_table.rowCount(), 1, MostRowsBelow));
     setMinimumHeight(isBelow ? height_px : 0);
     setMaximumHeight(isBelow ? height_px : QWIDGETSIZE_MAX);
+}
+
+int LiveLegend::wantedHeight(int rows) const {
+    const int header_px = horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
+    return header_px + rows * verticalHeader()->defaultSectionSize() + 2 * frameWidth();
+}
+
+void LiveLegend::setInside(const QRect& canvas, int width_px) {
+    if (!std::exchange(m_isInside, true)) {
+        viewport()->update();
+    }
+    int rows = m_table.rowCount(); // whole ones; further ones are scrolled to
+    while (rows > 1 && wantedHeight(rows) > canvas.height()) {
+        --rows;
+    }
+    const int height_px = std::min(wantedHeight(rows), canvas.height());
+    const QRect place(canvas.topLeft(), QSize(std::min(width_px, canvas.width()), height_px));
+    setVisible(m_table.rowCount() > 0);
+    if (geometry() != place) {
+        setGeometry(place);
+        raise();
+    }
 }
 
 /// What a key does with the chosen curve; false: nothing.
@@ -216,23 +248,23 @@ void LiveLegend::contextMenuEvent(QContextMenuEvent* event) {
     }
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->setAccessibleName(tr("The chosen curve"));
+    menu->setAccessibleName(tr("Selected curve"));
     const auto add = [&](const QString& text, const QKeySequence& keys) {
         QAction* action = menu->addAction(text);
         action->setShortcut(keys);
         connect(action, &QAction::triggered, this, [this, keys] { run(keys); });
     };
     add(m_table.isShown(row) ? tr("Hide") : tr("Show"), QKeySequence(Qt::Key_Space));
-    add(m_table.isRight(row) ? tr("To the left axis") : tr("To the right axis"), QKeySequence(Qt::Key_R));
+    add(m_table.isRight(row) ? tr("Use left axis") : tr("Use right axis"), QKeySequence(Qt::Key_R));
     if (QMenu* units = makeUnitMenu(row)) {
         menu->addMenu(units)->setText(tr("Unit") + QStringLiteral("\tU"));
     }
-    add(tr("To the plot above"), QKeySequence(QStringLiteral("Ctrl+Up")));
-    add(tr("To the plot below"), QKeySequence(QStringLiteral("Ctrl+Down")));
-    add(tr("To the plot at the left"), QKeySequence(QStringLiteral("Ctrl+Left")));
-    add(tr("To the plot at the right"), QKeySequence(QStringLiteral("Ctrl+Right")));
-    add(tr("Into a plot of its own"), QKeySequence(QStringLiteral("Ctrl+Shift+Down")));
-    add(tr("Into a plot of its own at the right"), QKeySequence(QStringLiteral("Ctrl+Shift+Right")));
+    add(tr("Move to the plot above"), QKeySequence(QStringLiteral("Ctrl+Up")));
+    add(tr("Move to the plot below"), QKeySequence(QStringLiteral("Ctrl+Down")));
+    add(tr("Move to the plot on the left"), QKeySequence(QStringLiteral("Ctrl+Left")));
+    add(tr("Move to the plot on the right"), QKeySequence(QStringLiteral("Ctrl+Right")));
+    add(tr("New plot"), QKeySequence(QStringLiteral("Ctrl+Shift+Down")));
+    add(tr("New plot on the right"), QKeySequence(QStringLiteral("Ctrl+Shift+Right")));
     add(tr("Remove from the plot"), QKeySequence(Qt::Key_Delete));
     menu->popup(event->globalPos());
 }

@@ -32,8 +32,11 @@ public:
     /// Of the column of the names: what tells them apart, and its title where that is shown.
     int leastNameWidth() const;
     void setWidths(const Widths& widths, int total_px);
-    /// Below its plot it is as wide as that and as high as its curves need; beside it as high as the plot.
+    /// Below its plot it is as wide as that and as high as its curves need.
     void setBelow(bool isBelow);
+    /// Inside its plot it stands over the canvas, as high as its curves need and the canvas has; the curves
+    /// shine through.
+    void setInside(const QRect& canvas, int width_px);
 
 Q_SIGNALS:
     void toggleRequested(int curve);
@@ -47,6 +50,7 @@ Q_SIGNALS:
 
 protected:
     bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
@@ -55,8 +59,12 @@ private:
     QMenu* makeUnitMenu(int row);
     void showUnits(int row);
 
+    int wantedHeight(int rows) const;
+
     LegendTableModel m_table;
+    Theme m_theme;
     bool m_isBelow = false;
+    bool m_isInside = false;
 };
 
 } // namespace halbench::widgets

@@ -1,6 +1,7 @@
 #include "widgets/live_plot/live_plot.h"
 
-#include "widgets/live_plot/value_scale_draw.h"
+#include "widgets/live_plot/axes/value_scale_draw.h"
+#include "widgets/live_plot/axis_mouse.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QFontInfo>
@@ -16,11 +17,9 @@
 namespace halbench::widgets {
 namespace {
 
-/// A steady signal is not magnified beyond so many units of its last shown digit.
-constexpr double SmallestDigits = 10.0;
-
 constexpr int CurveColours = 8;
-constexpr int Margin = 4;
+constexpr double ZStep = 1e-3; ///< the first curve, what is measured, is drawn above its reference
+constexpr int Margin = 2;
 /// The picture may end a device pixel before the canvas does, see fillEdges().
 constexpr int Edge_px = 2;
 
@@ -56,18 +55,6 @@ void fillEdges(QPainter& painter, const QRect& place, const QColor& background) 
     painter.fillRect(place.adjusted(0, 0, 0, Edge_px - place.height()), background);
 }
 
-double smallestLength(const PlotSpec& spec, bool isRight) {
-    double smallest = 0.0;
-    for (const PlotCurve& curve : spec.curves) {
-        if (curve.isRight != isRight) {
-            continue;
-        }
-        const double length = SmallestDigits * std::pow(10.0, -curve.decimals);
-        smallest = smallest == 0.0 ? length : std::min(smallest, length);
-    }
-    return smallest;
-}
-
 } // namespace
 
 LivePlot::LivePlot(QWidget* parent)
@@ -83,6 +70,8 @@ LivePlot::LivePlot(QWidget* parent)
     axisWidget(yLeft)->setMargin(0);
     setAxisScaleDraw(yRight, m_rightScale);
     axisWidget(yRight)->setMargin(0);
+    new AxisMouse(*this, false);
+    new AxisMouse(*this, true);
     m_grid->attach(this);
     m_bands->attach(this);
     m_overlay->attach(this);
@@ -95,7 +84,8 @@ LivePlot::LivePlot(QWidget* parent)
 
 LivePlot::~LivePlot() = default;
 
-void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* history) {
+void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* history,
+                       const SignalColours& colours) {
     m_spec = spec;
     m_history = history;
     for (HistoryCurve* curve : m_curves) {
@@ -103,28 +93,37 @@ void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* histo
         delete curve;
     }
     m_curves.clear();
+    m_places.clear();
     for (const PlotCurve& curve : m_spec.curves) {
         const int index = static_cast<int>(m_curves.size());
-        auto* item = new HistoryCurve(curve, static_cast<LinePattern>(index / CurveColours % 4));
-        item->setColour(m_theme.curves[static_cast<std::size_t>(index % CurveColours)]);
+        const int place = colours.placeOf(curve.signal, index);
+        auto* item = new HistoryCurve(curve, static_cast<LinePattern>(place / CurveColours % 4));
+        item->setZ(item->z() - ZStep * index);
         item->setYAxis(axisOf(curve));
         item->attach(this);
         m_curves.push_back(item);
+        m_places.push_back(place);
     }
+    colourCurves();
     makeReferenceCurves();
     m_bands->set(m_spec.bands, m_theme);
     m_grid->setVisible(!m_spec.curves.empty());
     m_overlay->setMessage(m_spec.curves.empty() ? tr("Drag signals here or press Insert") : QString());
-    m_autoRange = AutoRange(smallestLength(m_spec, false));
-    m_rightAutoRange = AutoRange(smallestLength(m_spec, true));
+    m_autoRange = AutoRange(smallestLength(false));
+    m_rightAutoRange = AutoRange(smallestLength(true));
     m_userRange = m_spec.fixedRange;
     m_rightUserRange = m_spec.right.fixedRange;
     setLevel(m_level);
     nameItself();
-    setAccessibleDescription(
-        tr("Arrow keys move a cursor or scroll, plus and minus zoom the time, with Ctrl the values, Space "
-           "pauses, F fits, Insert adds signals."));
+    setAccessibleDescription(tr("Arrow keys move a cursor or scroll, plus and minus zoom the time (Ctrl: the "
+                                "values), Space pauses, F fits, Insert adds signals."));
     updateTitle();
+}
+
+void LivePlot::colourCurves() {
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        m_curves[i]->setColour(m_theme.curves[static_cast<std::size_t>(m_places[i] % CurveColours)]);
+    }
 }
 
 void LivePlot::setColumn(std::optional<int> column) {
@@ -135,7 +134,7 @@ void LivePlot::setColumn(std::optional<int> column) {
 void LivePlot::nameItself() {
     const QString name = m_spec.quantity.isEmpty() ? tr("Empty plot")
                          : hasRightAxis(m_spec)
-                             ? tr("Plot of %1, at the right %2").arg(m_spec.quantity, m_spec.right.quantity)
+                             ? tr("Plot of %1, right axis %2").arg(m_spec.quantity, m_spec.right.quantity)
                              : tr("Plot of %1").arg(m_spec.quantity);
     setAccessibleName(m_column ? tr("%1, column %2").arg(name, QString::number(*m_column + 1)) : name);
 }
@@ -146,9 +145,7 @@ void LivePlot::setTheme(const Theme& theme) {
     m_grid->setColour(theme.plotGrid);
     m_bands->set(m_spec.bands, theme);
     m_overlay->setTheme(theme);
-    for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        m_curves[i]->setColour(theme.curves[i % CurveColours]);
-    }
+    colourCurves();
     makeReferenceCurves();
     QPalette colours = palette();
     colours.setColor(QPalette::Window, theme.panel);
@@ -172,8 +169,8 @@ void LivePlot::focusOutEvent(QFocusEvent* event) {
 }
 
 void LivePlot::rescale(bool keepsHeld) {
-    m_autoRange = AutoRange(smallestLength(m_spec, false));
-    m_rightAutoRange = AutoRange(smallestLength(m_spec, true));
+    m_autoRange = AutoRange(smallestLength(false));
+    m_rightAutoRange = AutoRange(smallestLength(true));
     if (!keepsHeld) {
         m_userRange = m_spec.fixedRange;
         m_rightUserRange = m_spec.right.fixedRange;
@@ -194,6 +191,7 @@ void LivePlot::drawCanvas(QPainter* painter) {
     onImage.setFont(painter->font());
     if (m_history != nullptr) {
         const control::SampleHistory::Glance glance(*m_history);
+        m_overlay->setHover(readAtPointer());
         QwtPlot::drawCanvas(&onImage);
         m_isWhole = glance.isWhole();
     } else {

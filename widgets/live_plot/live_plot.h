@@ -5,6 +5,7 @@
 #include "widgets/live_plot/live_plot_spec.h"
 #include "widgets/live_plot/plot_marks.h"
 #include "widgets/live_plot/reference_traces.h"
+#include "widgets/live_plot/signal_colours.h"
 #include "widgets/theme/theme.h"
 
 #include <QImage>
@@ -41,7 +42,9 @@ public:
     explicit LivePlot(QWidget* parent = nullptr);
     ~LivePlot() override;
 
-    void setSpec(const PlotSpec& spec, const control::SampleHistory* history);
+    /// `colours`: of the signals; those it does not know are coloured by their position in the plot.
+    void setSpec(const PlotSpec& spec, const control::SampleHistory* history,
+                 const SignalColours& colours = {});
     const PlotSpec& spec() const { return m_spec; }
     const control::SampleHistory* history() const { return m_history; }
     void setTheme(const Theme& theme);
@@ -94,6 +97,8 @@ public:
     /// Whether all that was drawn last is as the samples are; else the disk has not given some of it yet.
     bool isWhole() const { return m_isWhole; }
     double timeAt(double canvasX) const;
+    /// What is read at the pointer as it was drawn last; nothing while it is elsewhere or drags.
+    const std::optional<HoverReadout>& hover() const { return m_overlay->hover(); }
 
 Q_SIGNALS:
     void zoomRequested(double factor, double at_s);
@@ -136,8 +141,13 @@ private:
     QRect besidePlace() const;
     void showDropPlace(std::optional<QRectF> place);
     void panTo(const QPoint& place);
+    void setHoverPlace(std::optional<QPoint> place);
+    std::optional<HoverReadout> readAtPointer() const;
     void followData();
     std::optional<ValueRange> dataRange(bool isRight) const;
+    double smallestLength(bool isRight) const;
+    double sensorLength(const PlotCurve& curve) const;
+    void colourCurves();
     int titleRoom() const;
     void updateTitle();
     void nameItself();
@@ -153,6 +163,7 @@ private:
     const control::SampleHistory* m_history = nullptr;
     Theme m_theme;
     std::vector<HistoryCurve*> m_curves; ///< owned by the plot
+    std::vector<int> m_places;           ///< of each curve among the colours and patterns
     ReferencePtr m_reference;
     std::vector<HistoryCurve*> m_referenceCurves; ///< owned by the plot
     GridItem* m_grid;
@@ -171,6 +182,7 @@ private:
     QImage m_image; ///< what the canvas shows; curves set its pixels
     Drag m_drag = Drag::None;
     Grip m_dragged;
+    std::optional<QPoint> m_hoverPlace;
     QPoint m_pressed;
     QPoint m_last;
     CursorPairs m_cursors;

@@ -1,6 +1,7 @@
 // The axes of values of a plot: what they show, how they are titled, how wide they are.
+#include "widgets/live_plot/axes/sensor_step.h"
+#include "widgets/live_plot/axes/value_scale_draw.h"
 #include "widgets/live_plot/live_plot.h"
-#include "widgets/live_plot/value_scale_draw.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QFontInfo>
@@ -19,6 +20,13 @@ constexpr double LinesPerTick = 1.6;
 constexpr double FewestLines = 2.5;
 /// Labels are given at least this room, so that the first larger number moves nothing.
 constexpr char UsualLabel[] = "-000.00";
+
+/// A steady signal is not magnified beyond so many units of its last shown digit, nor a sensor beyond so many
+/// of its steps.
+constexpr double SmallestDigits = 10.0;
+constexpr double SmallestSteps = 20.0;
+/// Of the newest rows: more of them say nothing more of a step.
+constexpr double StepRows = 500.0;
 
 QFont sized(QFont font, double size_ratio) {
     font.setPointSizeF(size_ratio * QFontInfo(font).pointSizeF());
@@ -118,6 +126,35 @@ std::optional<ValueRange> LivePlot::dataRange(bool isRight) const {
     return all.isEmpty() ? std::nullopt : std::optional(ValueRange{all.min, all.max});
 }
 
+/// Of the finest digits, so that no curve is drawn flat, and of the coarsest sensor, so that none is a block.
+double LivePlot::smallestLength(bool isRight) const {
+    double digits = 0.0;
+    double steps = 0.0;
+    for (const PlotCurve& curve : m_spec.curves) {
+        if (curve.isRight == isRight) {
+            const double length = SmallestDigits * std::pow(10.0, -curve.decimals);
+            digits = digits == 0.0 ? length : std::min(digits, length);
+            steps = std::max(steps, sensorLength(curve));
+        }
+    }
+    return std::max(digits, steps);
+}
+
+/// In the unit shown; 0 where the newest rows show no steps.
+double LivePlot::sensorLength(const PlotCurve& curve) const {
+    const auto held = curve.isSensor && m_history != nullptr ? m_history->range(curve.signal) : std::nullopt;
+    const control::TimeRange seen = m_drawn;
+    const std::size_t rows = held ? m_history->rowsIn(curve.signal, seen) : 0;
+    if (rows == 0) {
+        return 0.0;
+    }
+    const double end_s = std::min(seen.end_s, held->end_s);
+    const double part = std::min(1.0, StepRows / static_cast<double>(rows));
+    std::vector<control::TimedValue> samples;
+    m_history->samples(curve.signal, {end_s - part * seen.length_s(), end_s}, samples);
+    return SmallestSteps * std::abs(curve.factor) * sensorStep(samples).value_or(0.0);
+}
+
 ValueRange LivePlot::shownRange() const {
     return shownRange(false);
 }
@@ -172,9 +209,11 @@ void LivePlot::followData() {
     const auto left = dataRange(false);
     const auto right = dataRange(true);
     if (left && !m_userRange && glance.isWhole()) {
+        m_autoRange.setSmallestLength(smallestLength(false));
         m_autoRange.update(*left);
     }
     if (right && !m_rightUserRange && glance.isWhole()) {
+        m_rightAutoRange.setSmallestLength(smallestLength(true));
         m_rightAutoRange.update(*right);
     }
 }

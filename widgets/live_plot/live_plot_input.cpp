@@ -15,6 +15,7 @@ namespace {
 
 constexpr double CursorReach_px = 5.0; ///< of a level too
 constexpr double ZoomPerStep = 1.25;
+constexpr int StepsOfSpan = 1000;
 constexpr int BesideShare = 6; ///< so large a part of the canvas, at its right edge
 constexpr int StepAngle = 120; ///< of a wheel's notch, in Qt's eighths of a degree
 
@@ -40,6 +41,9 @@ bool LivePlot::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::MouseButtonDblClick:
             Q_EMIT fitRequested();
             return true;
+        case QEvent::Leave:
+            setHoverPlace(std::nullopt);
+            return false;
         case QEvent::Wheel:
             wheel(*static_cast<QWheelEvent*>(event));
             return true;
@@ -78,6 +82,7 @@ bool LivePlot::isLevelNear(double canvasY) const {
 
 void LivePlot::press(const QMouseEvent& event) {
     setFocus(Qt::MouseFocusReason);
+    setHoverPlace(std::nullopt);
     m_pressed = event.pos();
     m_last = event.pos();
     const bool isPan = event.button() == Qt::MiddleButton ||
@@ -102,6 +107,7 @@ void LivePlot::move(const QMouseEvent& event) {
         canvas()->setCursor(cursorNear(event.pos().x())    ? Qt::SplitHCursor
                             : isLevelNear(event.pos().y()) ? Qt::SplitVCursor
                                                            : Qt::ArrowCursor);
+        setHoverPlace(cursorNear(event.pos().x()) ? std::nullopt : std::optional(event.pos()));
         break;
     case Drag::Level:
         Q_EMIT levelMoved(canvasMap(axisOf(*levelCurve())).invTransform(event.pos().y()) /
@@ -118,6 +124,24 @@ void LivePlot::move(const QMouseEvent& event) {
         replot();
         break;
     }
+}
+
+void LivePlot::setHoverPlace(std::optional<QPoint> place) {
+    if (place != m_hoverPlace) {
+        m_hoverPlace = place;
+        replot();
+    }
+}
+
+/// To a thousandth of what the axis shows.
+std::optional<HoverReadout> LivePlot::readAtPointer() const {
+    if (!m_hoverPlace || m_history == nullptr || m_curves.empty()) {
+        return std::nullopt;
+    }
+    const QwtScaleMap map = canvasMap(xBottom);
+    const int decimals = decimalsOf(niceStep(std::abs(map.s2() - map.s1()), StepsOfSpan));
+    return hoverReadout(*m_hoverPlace, map.invTransform(m_hoverPlace->x()), m_event_s.value_or(0.0), decimals,
+                        m_curves, *m_history);
 }
 
 void LivePlot::panTo(const QPoint& place) {

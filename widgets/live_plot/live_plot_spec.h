@@ -1,7 +1,7 @@
 #pragma once
 
-#include "widgets/live_plot/time_view.h"
-#include "widgets/live_plot/value_range.h"
+#include "widgets/live_plot/axes/time_view.h"
+#include "widgets/live_plot/axes/value_range.h"
 
 #include <QString>
 
@@ -29,6 +29,7 @@ struct PlotCurve {
     double factor = 1.0;                      ///< shown value = factor x SI value, e.g. 180/pi
     int decimals = 3;                         ///< of the live value
     bool isRight = false;                     ///< its values are on the right axis
+    bool isSensor = false;                    ///< a reading, which comes in the steps of a converter
     std::string ownUnit = {};                 ///< the key of the one that was chosen for it; empty: none was
     std::vector<UnitChoice> unitChoices = {}; ///< none: it has one unit only
 

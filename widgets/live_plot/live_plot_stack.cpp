@@ -1,11 +1,11 @@
 #include "widgets/live_plot/live_plot_stack.h"
 
 #include "widgets/controls/share_splitter.h"
+#include "widgets/live_plot/axes/time_axis_bar.h"
 #include "widgets/live_plot/cursor_bar.h"
 #include "widgets/live_plot/live_legend.h"
 #include "widgets/live_plot/live_plot.h"
 #include "widgets/live_plot/marker_bar.h"
-#include "widgets/live_plot/time_axis_bar.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QAction>
@@ -34,6 +34,7 @@ LivePlotStack::LivePlotStack(QWidget* parent)
     layout->addWidget(m_cursorBar);
     layout->addWidget(m_markerBar);
     m_splitter->setHandleWidth(HandleWidth);
+    m_splitter->setProperty("surface", QStringLiteral("plots"));
     connect(m_splitter, &ShareSplitter::sharesChanged, this,
             [this] { setWidths(m_specs, m_splitter->shares()); });
     m_cursorBar->hide();
@@ -139,7 +140,7 @@ LivePlotStack::Row LivePlotStack::makeRow() {
     auto* column = new QVBoxLayout(row.box);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    auto* layout = new QHBoxLayout;
+    auto* layout = new QVBoxLayout; // plot and, where it does not stand in it, legend
     column->addLayout(layout, 1);
     row.parts = layout;
     row.plot = new LivePlot(row.box);
@@ -147,9 +148,11 @@ LivePlotStack::Row LivePlotStack::makeRow() {
     row.timeAxis = new TimeAxisBar(row.box);
     row.timeAxis->hide();
     row.timeAxis->setTheme(m_theme);
+    connect(row.timeAxis, &TimeAxisBar::zoomRequested, row.plot, &LivePlot::zoomRequested);
+    connect(row.timeAxis, &TimeAxisBar::panRequested, row.plot, &LivePlot::panRequested);
+    connect(row.timeAxis, &TimeAxisBar::fitRequested, row.plot, &LivePlot::fitRequested);
     column->addWidget(row.timeAxis);
     layout->addWidget(row.plot, 1);
-    layout->addWidget(row.legend);
     row.plot->setTheme(m_theme);
     row.legend->setTheme(m_theme);
     row.plot->canvas()->installEventFilter(this);
@@ -202,6 +205,7 @@ void LivePlotStack::matchRows() {
         removeRow(m_rows.size() - 1);
     }
     place();
+    m_colours.update(m_specs);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         configureRow(i);
     }
@@ -229,7 +233,7 @@ void LivePlotStack::configureRow(std::size_t index) {
         row.isConfigured = true;
         row.legend->table().setCurves({});
         row.plot->setReference(m_reference);
-        row.plot->setSpec(m_specs[index], m_history);
+        row.plot->setSpec(m_specs[index], m_history, m_colours);
         row.legend->table().setCurves(row.plot->curves());
     }
     row.legend->setAccessibleName(tr("Live values of %1").arg(row.plot->accessibleName()));

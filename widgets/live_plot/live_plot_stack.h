@@ -1,10 +1,11 @@
 #pragma once
 
 #include "control/history/sample_history.h"
+#include "widgets/live_plot/axes/time_view.h"
 #include "widgets/live_plot/live_plot_spec.h"
 #include "widgets/live_plot/plot_marks.h"
 #include "widgets/live_plot/reference_traces.h"
-#include "widgets/live_plot/time_view.h"
+#include "widgets/live_plot/signal_colours.h"
 #include "widgets/theme/theme.h"
 
 #include <QStringList>
@@ -120,6 +121,8 @@ public:
     const control::SampleHistory* history() const { return m_history; }
     void setPlots(std::vector<PlotSpec> plots);
     const std::vector<PlotSpec>& plots() const { return m_specs; }
+    /// Of the signals of all plots.
+    const SignalColours& colours() const { return m_colours; }
     /// Adds to a plot, or as a new plot below when `plot` is none of them. A signal is shown once in a plot.
     void addCurve(int plot, const PlotCurve& curve);
     void removeCurve(int plot, const std::string& signal);
@@ -231,7 +234,7 @@ private:
         QWidget* box = nullptr;
         LivePlot* plot = nullptr;
         LiveLegend* legend = nullptr;
-        QBoxLayout* parts = nullptr; ///< plot and legend: beside each other, in a narrow column above
+        QBoxLayout* parts = nullptr; ///< plot and, in a narrow column, its legend below
         TimeAxisBar* timeAxis = nullptr;
         std::optional<TimeView> time = {}; ///< where it has its own axis
         bool isConfigured = false;
@@ -335,6 +338,7 @@ private:
     const control::SampleHistory* m_history = nullptr;
     Theme m_theme;
     std::vector<PlotSpec> m_specs;
+    SignalColours m_colours;
     std::vector<Row> m_rows;
     TimeView m_view;
     CursorPairs m_pairs;

@@ -18,29 +18,28 @@ constexpr int CoarseColumns = 50;     ///< of a cursor step with Shift
 } // namespace
 
 void LivePlotStack::createActions() {
-    addAction(Command::Pause, tr("Pause"), QStringLiteral("Space"),
-              tr("Freeze the view; data are kept and go on being recorded"));
-    addAction(Command::Follow, tr("Follow"), QStringLiteral("End"), tr("Keep the newest sample in view"));
+    addAction(Command::Pause, tr("Pause"), QStringLiteral("Space"), tr("Pause view (recording continues)"));
+    addAction(Command::Follow, tr("Follow"), QStringLiteral("End"), tr("Keep the latest sample in view"));
     addAction(Command::Fit, tr("Fit"), QStringLiteral("F"),
-              tr("Fit the value axes; when the view stands still, show all of the history"));
-    addAction(Command::ShowAll, tr("Show all"), QStringLiteral("Home"), tr("Show all of the history"));
-    addAction(Command::ZoomBack, tr("Zoom back"), QStringLiteral("Backspace"),
-              tr("Return to the view before"));
-    addAction(Command::ZoomIn, tr("Zoom in"), QStringLiteral("+"), tr("Show a shorter stretch of time"));
-    addAction(Command::ZoomOut, tr("Zoom out"), QStringLiteral("-"), tr("Show a longer stretch of time"));
-    addAction(Command::ScrollBack, tr("Scroll back"), QStringLiteral("PgUp"), tr("Show what was before"));
-    addAction(Command::ScrollOn, tr("Scroll on"), QStringLiteral("PgDown"), tr("Show what came after"));
+              tr("Fit the value axes; in a paused view, show the whole history"));
+    addAction(Command::ShowAll, tr("Show all"), QStringLiteral("Home"), tr("Show the whole history"));
+    addAction(Command::ZoomBack, tr("Zoom back"), QStringLiteral("Backspace"), tr("Previous view"));
+    addAction(Command::ZoomIn, tr("Zoom in"), QStringLiteral("+"), tr("Show a shorter time span"));
+    addAction(Command::ZoomOut, tr("Zoom out"), QStringLiteral("-"), tr("Show a longer time span"));
+    addAction(Command::ScrollBack, tr("Scroll back"), QStringLiteral("PgUp"), tr("Show earlier data"));
+    addAction(Command::ScrollOn, tr("Scroll forward"), QStringLiteral("PgDown"), tr("Show later data"));
     createValueActions();
     createCursorActions();
     createMarkerActions();
     addAction(Command::KeepReference, tr("Keep as reference"), QStringLiteral("K"),
-              tr("What is shown stays as faint curves below the live ones"));
+              tr("Keep the present curves as faint reference below the live curves"));
     addAction(Command::RemoveReference, tr("Remove the reference"), QStringLiteral("Shift+K"),
-              tr("The faint curves go"));
+              tr("Remove the faint reference curves"));
     m_actions.at(Command::RemoveReference)->setEnabled(false);
     createTimeActions();
     createPlotActions();
-    addAction(Command::AddSignals, tr("Add signals"), QStringLiteral("Insert"), tr("Choose signals to show"));
+    addAction(Command::AddSignals, tr("Add signals"), QStringLiteral("Insert"),
+              tr("Choose the signals to plot"));
     for (const Command command : {Command::Pause, Command::Follow, Command::Cursors}) {
         m_actions.at(command)->setCheckable(true);
     }

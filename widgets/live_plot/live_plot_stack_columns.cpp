@@ -1,9 +1,9 @@
 // The columns of a stack of plots: which plot stands where, and how one gets beside another.
 #include "widgets/controls/share_splitter.h"
+#include "widgets/live_plot/axes/time_axis_bar.h"
 #include "widgets/live_plot/live_legend.h"
 #include "widgets/live_plot/live_plot.h"
 #include "widgets/live_plot/live_plot_stack.h"
-#include "widgets/live_plot/time_axis_bar.h"
 
 #include <QAction>
 #include <QApplication>
@@ -43,10 +43,19 @@ LivePlotStack::Column LivePlotStack::makeColumn() {
     layout->setSpacing(0);
     column.rows = new ShareSplitter(Qt::Vertical, column.box);
     column.rows->setHandleWidth(HandleWidth);
+    column.rows->setProperty("surface", QStringLiteral("plots"));
     connect(column.rows, &ShareSplitter::sharesChanged, this,
             [this, rows = column.rows] { takeHeights(*rows); });
     column.timeAxis = new TimeAxisBar(column.box);
     column.timeAxis->setTheme(m_theme);
+    connect(column.timeAxis, &TimeAxisBar::zoomRequested, this,
+            [this](double factor, double at_s) { zoomTime(m_view, factor, at_s); });
+    connect(column.timeAxis, &TimeAxisBar::panRequested, this, [this](double by_s) {
+        const bool wasFollowing = isFollowing();
+        m_view.pan(by_s);
+        changed(wasFollowing, isPaused());
+    });
+    connect(column.timeAxis, &TimeAxisBar::fitRequested, this, &LivePlotStack::fitAll);
     layout->addWidget(column.rows, 1);
     layout->addWidget(column.timeAxis);
     m_splitter->addWidget(column.box);
@@ -249,13 +258,13 @@ std::optional<int> LivePlotStack::plotBeside(int plot, int by) const {
 
 void LivePlotStack::createPlotActions() {
     addAction(Command::PlotRight, tr("Plot to the right"), QStringLiteral("L"),
-              tr("The plot goes into the column at the right; beyond the last one into a new column"));
+              tr("Move the plot to the column on the right, or to a new column"));
     addAction(Command::PlotLeft, tr("Plot to the left"), QStringLiteral("Shift+L"),
-              tr("The plot goes into the column at the left; beyond the first one into a new column"));
-    addAction(Command::NewBeside, tr("New plot at the right"), QStringLiteral("Ctrl+Shift+Right"),
-              tr("An empty plot in a column of its own"));
+              tr("Move the plot to the column on the left, or to a new column"));
+    addAction(Command::NewBeside, tr("New plot on the right"), QStringLiteral("Ctrl+Shift+Right"),
+              tr("Empty plot in a new column"));
     addAction(Command::RemovePlot, tr("Remove the plot"), QStringLiteral("Shift+Del"),
-              tr("The plot goes with its curves; a column goes with its last plot"));
+              tr("Remove the plot with its curves"));
     createSizeActions();
 }
 

@@ -19,22 +19,22 @@ constexpr double PairShare_ratio = 0.5; ///< of the view that goes to a pair
 
 void LivePlotStack::createCursorActions() {
     addAction(Command::Cursors, tr("Cursors"), QStringLiteral("C"),
-              tr("Two cursors that measure; drag them or move them with the arrow keys"));
+              tr("Two measuring cursors; drag them or use the arrow keys"));
     addAction(Command::CursorA, tr("Cursor A"), QStringLiteral("A"), tr("Arrow keys move cursor A"));
     addAction(Command::CursorB, tr("Cursor B"), QStringLiteral("B"), tr("Arrow keys move cursor B"));
     addAction(Command::NewPair, tr("New cursor pair"), QStringLiteral("N"),
-              tr("Two more cursors, in view; the pairs before stay where they are, faint"));
+              tr("Add two cursors; the other pairs stay, faint"));
     addAction(Command::RemovePair, tr("Remove the cursor pair"), QStringLiteral("Shift+N"),
-              tr("The pair that measures goes"));
-    addAction(Command::NextPair, tr("Next cursor pair"), QStringLiteral("P"), tr("The next pair measures"));
+              tr("Remove the active pair"));
+    addAction(Command::NextPair, tr("Next cursor pair"), QStringLiteral("P"), tr("Activate the next pair"));
     addAction(Command::PreviousPair, tr("Previous cursor pair"), QStringLiteral("Shift+P"),
-              tr("The pair before measures"));
+              tr("Activate the previous pair"));
     addAction(Command::NamePair, tr("Name the cursor pair"), QStringLiteral("F2"),
-              tr("A name for the pair that measures; the project keeps it"));
+              tr("Name of the active pair; saved in the project"));
     addAction(Command::ShowPair, tr("Go to the cursor pair"), QStringLiteral("G"),
-              tr("Show the stretch of time around the pair that measures"));
+              tr("Show the time around the active pair"));
     addAction(Command::PairHere, tr("Bring the cursor pair here"), QStringLiteral("Shift+C"),
-              tr("The pair that measures comes into view"));
+              tr("Move the active pair into view"));
 }
 
 void LivePlotStack::connectCursorBar() {
@@ -101,10 +101,10 @@ void LivePlotStack::namePair(const QString& name) {
     if (m_pairs.rename(name)) {
         placeCursors();
     } else {
-        m_cursorBar->refuseName(name.trimmed().isEmpty()
-                                    ? tr("A pair needs a name; it is still called %1").arg(m_pairs.name())
-                                    : tr("There is a pair %1 already; this one is still called %2")
-                                          .arg(name.trimmed(), m_pairs.name()));
+        m_cursorBar->refuseName(
+            name.trimmed().isEmpty()
+                ? tr("A pair needs a name. Name unchanged: %1").arg(m_pairs.name())
+                : tr("Pair %1 exists already. Name unchanged: %2").arg(name.trimmed(), m_pairs.name()));
     }
 }
 

@@ -176,7 +176,7 @@ void LivePlotStack::keepReference() {
     }
     ReferenceTraces traces = keptTraces(*m_history, shown, activeView().range());
     traces.event_s = m_event_s;
-    traces.name = tr("what was shown");
+    traces.name = tr("previous curves");
     setReference(std::make_shared<const ReferenceTraces>(std::move(traces)));
 }
 

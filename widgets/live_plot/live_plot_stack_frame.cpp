@@ -1,11 +1,11 @@
 // What a stack of plots does each frame.
 #include "widgets/language/display_units.h"
+#include "widgets/live_plot/axes/time_axis_bar.h"
 #include "widgets/live_plot/cursor_bar.h"
 #include "widgets/live_plot/live_legend.h"
 #include "widgets/live_plot/live_plot.h"
 #include "widgets/live_plot/live_plot_stack.h"
-#include "widgets/live_plot/stale_words.h"
-#include "widgets/live_plot/time_axis_bar.h"
+#include "widgets/live_plot/stale_text.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QBoxLayout>
@@ -21,7 +21,8 @@ namespace {
 constexpr int FramesPerNumber = 3;   ///< numbers change ten times a second
 constexpr int CharactersPerTick = 9; ///< room of a label of the time axis
 constexpr double WidestLegend_ratio = 0.45;
-constexpr double WidestBeside_ratio = 0.3; ///< of one of several columns; wider ones stand below their plots
+constexpr int LegendInset_px = 4;          ///< of a legend in its plot
+constexpr double WidestInside_ratio = 0.5; ///< of one of several columns; wider ones stand below their plots
 
 /// Axis titles from the best to read to the shortest.
 constexpr std::array<TitleForm, 6> TitleForms{
@@ -47,13 +48,23 @@ void LivePlotStack::refresh() {
     } else {
         updateViews();
     }
+    const auto legendWidths = [this] {
+        std::vector<LiveLegend::Widths> widths;
+        for (const Row& row : m_rows) {
+            widths.push_back(row.legend->neededWidths());
+        }
+        return widths;
+    };
+    bool areWider = false;
     if (m_isDirty || !m_areNumbersWhole || ++m_framesSinceNumbers >= FramesPerNumber) {
+        const std::vector<LiveLegend::Widths> before = legendWidths();
         m_framesSinceNumbers = 0;
         m_areNumbersWhole = showNumbers();
         showState();
+        areWider = legendWidths() != before;
     }
     m_drawnRevision = revision;
-    m_isDirty = false;
+    m_isDirty = areWider; // the next frame gives them the room
 }
 
 int LivePlotStack::deviceColumns(int column) const {
@@ -116,12 +127,19 @@ void LivePlotStack::fitTitles(int column) {
     }
 }
 
-/// Where columns share the width and a legend would take the plot's, it stands below. Whether it does.
+/// A legend stands in its plot; where columns share the width and it would cover most of the canvas, below.
+/// Whether it does.
 bool LivePlotStack::placeLegends(int column, int wanted_px) {
     const int width_px = m_columns[static_cast<std::size_t>(column)].box->width();
-    const bool areBelow = columnCount() > 1 && wanted_px > WidestBeside_ratio * width_px;
+    const bool areBelow = columnCount() > 1 && wanted_px > WidestInside_ratio * width_px;
     for (const Row* row : rowsOf(column)) {
-        row->parts->setDirection(areBelow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+        const bool isLaidOut = row->parts->indexOf(row->legend) >= 0;
+        if (areBelow && !isLaidOut) {
+            row->parts->addWidget(row->legend);
+            row->legend->show();
+        } else if (!areBelow && isLaidOut) {
+            row->parts->removeWidget(row->legend);
+        }
         row->legend->setBelow(areBelow);
     }
     return areBelow;
@@ -150,7 +168,8 @@ void LivePlotStack::align(int index) {
         numbers_px += isShown ? widths[static_cast<std::size_t>(column)] : 0;
     }
     int total_px = widths[LegendTableModel::Name] + numbers_px;
-    if (placeLegends(index, total_px)) {
+    const bool areBelow = placeLegends(index, total_px);
+    if (areBelow) {
         total_px = here.box->width();
     } else { // Names give way to the plots; a number that is cut is another number.
         const int share_px = static_cast<int>(WidestLegend_ratio * here.box->width());
@@ -163,6 +182,11 @@ void LivePlotStack::align(int index) {
         row->plot->setExtent(here.extent_px);
         row->plot->setRightExtent(hasRight ? std::optional(here.rightExtent_px) : std::nullopt);
         row->legend->setWidths(widths, total_px);
+        if (!areBelow) {
+            const QRect canvas = row->plot->canvasRect().translated(row->plot->pos());
+            row->legend->setInside(
+                canvas.adjusted(LegendInset_px, LegendInset_px, -LegendInset_px, -LegendInset_px), total_px);
+        }
     }
     const QRect canvas = rows.front()->plot->canvasRect();
     const QPoint left = rows.front()->plot->mapTo(here.box, canvas.topLeft());
@@ -207,7 +231,7 @@ void LivePlotStack::showOwnState(const Row& row) {
     } else if (row.time->isFollowing()) {
         row.timeAxis->setState(tr("Own time axis, following, %1 s").arg(length), false);
     } else {
-        row.timeAxis->setState(tr("Own time axis, scrolled; press End to follow"), true);
+        row.timeAxis->setState(tr("Own time axis, paused in history (End: live)"), true);
     }
 }
 
@@ -232,10 +256,10 @@ void LivePlotStack::showState() {
 
 QString LivePlotStack::stateWords() const {
     if (isPaused()) {
-        return tr("Paused, %1 s kept").arg(fixedText(m_view.behind_s(), 1));
+        return tr("Paused for %1 s").arg(fixedText(m_view.behind_s(), 1));
     }
     if (!isFollowing()) {
-        return m_event_s ? tr("Triggered view; press End to follow") : tr("Scrolled; press End to follow");
+        return m_event_s ? tr("Triggered view (End: live)") : tr("Paused in history (End: live)");
     }
     return m_stale.isEmpty() ? tr("Following, %1 s").arg(numberText(m_view.range().length_s(), 4)) : m_stale;
 }

@@ -17,17 +17,17 @@ constexpr double Middle_ratio = 0.5;
 } // namespace
 
 void LivePlotStack::createMarkerActions() {
-    addAction(Command::Marker, tr("Marker"), QStringLiteral("M"), tr("Mark this moment"));
+    addAction(Command::Marker, tr("Marker"), QStringLiteral("M"), tr("Add a marker at this time"));
     addAction(Command::MarkerNote, tr("Marker with a note"), QStringLiteral("Shift+M"),
-              tr("Type the note of the chosen marker, of the one at this moment, or of a new one"));
+              tr("Edit the note of the selected marker, of the marker at this time, or of a new one"));
     addAction(Command::NextMarker, tr("Next marker"), QStringLiteral("J"),
-              tr("Choose the next marker and bring it into view"));
+              tr("Select the next marker and show it"));
     addAction(Command::PreviousMarker, tr("Previous marker"), QStringLiteral("Shift+J"),
-              tr("Choose the marker before and bring it into view"));
+              tr("Select the previous marker and show it"));
     addAction(Command::RemoveMarker, tr("Remove the marker"), QStringLiteral("Del"),
-              tr("The chosen marker goes"));
+              tr("Remove the selected marker"));
     addAction(Command::ListMarkers, tr("List of markers"), QStringLiteral("Ctrl+J"),
-              tr("All markers with their notes; choose one"));
+              tr("All markers with their notes"));
 }
 
 void LivePlotStack::connectMarkerBar() {

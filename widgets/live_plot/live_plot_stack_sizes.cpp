@@ -27,16 +27,13 @@ void LivePlotStack::takeHeights(const ShareSplitter& rows) {
 }
 
 void LivePlotStack::createSizeActions() {
-    addAction(Command::Taller, tr("Taller plot"), QStringLiteral("V"),
-              tr("The plot gets taller, the others of its column shorter"));
-    addAction(Command::Shorter, tr("Shorter plot"), QStringLiteral("Shift+V"),
-              tr("The plot gets shorter, the others of its column taller"));
-    addAction(Command::Wider, tr("Wider column"), QStringLiteral("W"),
-              tr("The column of the plot gets wider, the others narrower"));
+    addAction(Command::Taller, tr("Taller plot"), QStringLiteral("V"), tr("Increase the plot height"));
+    addAction(Command::Shorter, tr("Shorter plot"), QStringLiteral("Shift+V"), tr("Reduce the plot height"));
+    addAction(Command::Wider, tr("Wider column"), QStringLiteral("W"), tr("Increase the column width"));
     addAction(Command::Narrower, tr("Narrower column"), QStringLiteral("Shift+W"),
-              tr("The column of the plot gets narrower, the others wider"));
+              tr("Reduce the column width"));
     addAction(Command::EqualSizes, tr("Equal sizes"), QStringLiteral("E"),
-              tr("All columns equally wide, all plots of a column equally tall"));
+              tr("Equal widths and heights for all plots"));
 }
 
 void LivePlotStack::runOnSizes(Command command) {

@@ -1,8 +1,8 @@
 // The time axes of a stack of plots: the one that its plots share and those of single plots.
+#include "widgets/live_plot/axes/time_axis_bar.h"
 #include "widgets/live_plot/live_legend.h"
 #include "widgets/live_plot/live_plot.h"
 #include "widgets/live_plot/live_plot_stack.h"
-#include "widgets/live_plot/time_axis_bar.h"
 
 #include <QAction>
 
@@ -105,9 +105,9 @@ void LivePlotStack::shareTime() {
 
 void LivePlotStack::createTimeActions() {
     addAction(Command::OwnTime, tr("Own time axis"), QStringLiteral("O"),
-              tr("The plot zooms and scrolls by itself, with its own time below it; again: with the others"));
+              tr("Zoom and scroll this plot separately; again: with the others"));
     addAction(Command::OneTimeAxis, tr("One time axis for all plots"), QStringLiteral("Shift+O"),
-              tr("Plots with their own time axis share the others' again"));
+              tr("Use the common time axis in all plots"));
     m_actions.at(Command::OwnTime)->setCheckable(true);
 }
 

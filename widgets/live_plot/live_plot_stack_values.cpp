@@ -15,11 +15,11 @@ constexpr double CoarseScroll_ratio = 0.25;
 
 void LivePlotStack::createValueActions() {
     addAction(Command::ZoomValuesIn, tr("Zoom the values in"), QStringLiteral("Ctrl++"),
-              tr("Show fewer values of the plot with the focus, around the middle"));
+              tr("Zoom in the values of the focused plot"));
     addAction(Command::ZoomValuesOut, tr("Zoom the values out"), QStringLiteral("Ctrl+-"),
-              tr("Show more values of the plot with the focus"));
+              tr("Zoom out the values of the focused plot"));
     addAction(Command::FitValues, tr("Fit the values"), QStringLiteral("Shift+F"),
-              tr("The value axes of the plot with the focus follow its data again"));
+              tr("Fit the value axes of the focused plot to its data"));
     // Where the plus is above another character, that key alone is meant.
     m_actions.at(Command::ZoomValuesIn)
         ->setShortcuts({QKeySequence(QStringLiteral("Ctrl++")), QKeySequence(QStringLiteral("Ctrl+="))});

@@ -33,16 +33,16 @@ MarkerBar::MarkerBar(QWidget* parent)
     m_menu->setMenu(m_list);
     connect(m_list, &QMenu::aboutToShow, this, &MarkerBar::fillMenu);
     m_time->setFont(tabularFont(m_time->font()));
-    m_time->setAccessibleName(tr("Time of the chosen marker"));
+    m_time->setAccessibleName(tr("Time of the selected marker"));
     m_note->setObjectName(QStringLiteral("note"));
-    m_note->setAccessibleName(tr("Note of the chosen marker"));
+    m_note->setAccessibleName(tr("Note of the selected marker"));
     m_note->setPlaceholderText(tr("note"));
-    m_note->setToolTip(tr("What is written at the marker; Enter keeps it, Esc leaves it as it was"));
+    m_note->setToolTip(tr("Text of the marker; Enter saves it, Esc cancels"));
     m_note->setMaxLength(LongestNote);
     m_note->installEventFilter(this);
     m_close->setIcon(themedIcon(QStringLiteral("close")));
     m_close->setAccessibleName(tr("Close the marker's row"));
-    m_close->setToolTip(tr("Nothing is chosen any more; the marker stays"));
+    m_close->setToolTip(tr("Deselect the marker"));
     connect(m_close, &QToolButton::clicked, this, &MarkerBar::accepted);
     layout->addWidget(m_menu);
     layout->addWidget(m_time);
@@ -89,7 +89,7 @@ void MarkerBar::setMarkers(const std::vector<PlotMarker>& markers, std::optional
     m_chosen = chosen;
     m_span_s = span_s;
     m_menu->setText(tr("%n marker(s)", nullptr, static_cast<int>(markers.size())));
-    m_menu->setToolTip(tr("All markers by time (Ctrl+J); J chooses the next one"));
+    m_menu->setToolTip(tr("All markers by time (Ctrl+J); J selects the next one"));
     if (!chosen) {
         return;
     }

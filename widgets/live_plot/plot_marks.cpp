@@ -102,6 +102,9 @@ void OverlayItem::draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScal
     m_flags =
         drawMarkers(*painter, xMap, canvas, m_markers, {m_theme, m_chosenMarker, m_areNamesShown, above_px});
     drawCursors(painter, xMap, canvas);
+    if (m_hover && !m_box) {
+        drawHover(*painter, *m_hover, canvas, m_theme);
+    }
     if (m_box) {
         painter->setPen(QPen(m_theme.accent, 1.0));
         painter->setBrush(withAlpha(m_theme.accent, BoxAlpha));

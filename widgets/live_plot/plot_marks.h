@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/live_plot/cursor_pairs.h"
+#include "widgets/live_plot/hover_readout.h"
 #include "widgets/live_plot/live_plot_spec.h"
 #include "widgets/live_plot/marker_flags.h"
 #include "widgets/live_plot/plot_marker.h"
@@ -70,6 +71,8 @@ public:
     /// A trigger's level and the one that hysteresis asks for, in the unit shown.
     void setLevel(std::optional<double> level, double hysteresis);
     void setMessage(const QString& message) { m_message = message; }
+    void setHover(std::optional<HoverReadout> hover) { m_hover = std::move(hover); }
+    const std::optional<HoverReadout>& hover() const { return m_hover; }
     /// Names of cursors and markers are written in the topmost plot only.
     void setNamesShown(bool areShown) { m_areNamesShown = areShown; }
     void draw(QPainter* painter, const QwtScaleMap& xMap, const QwtScaleMap& yMap,
@@ -97,6 +100,7 @@ private:
     std::optional<double> m_level;
     double m_hysteresis = 0.0;
     QString m_message;
+    std::optional<HoverReadout> m_hover;
     bool m_areNamesShown = true;
     bool m_isFocused = false;
 };

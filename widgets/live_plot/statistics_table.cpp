@@ -51,8 +51,8 @@ void StatisticsTable::refreshWords() {
     setHorizontalHeaderLabels({m_stretch.isEmpty() ? tr("Signal") : m_stretch, tr("Min"), tr("Max"),
                                tr("Pk-pk"), tr("Mean"), tr("RMS"), tr("Std dev"), tr("Slope/s"), tr("Values"),
                                tr("Gaps")});
-    horizontalHeaderItem(PeakToPeak)->setToolTip(tr("Peak to peak: largest less smallest value"));
-    horizontalHeaderItem(Slope)->setToolTip(tr("From cursor A to B: of the signal's unit per second"));
+    horizontalHeaderItem(PeakToPeak)->setToolTip(tr("Peak to peak: maximum minus minimum"));
+    horizontalHeaderItem(Slope)->setToolTip(tr("Slope from cursor A to B, per second"));
     setAccessibleName(tr("Statistics"));
 }
 

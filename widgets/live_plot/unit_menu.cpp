@@ -15,7 +15,7 @@ struct Words {
 /// A ratio has no unit.
 QString unitWords(const UnitChoice& choice) {
     const QString unit = choice.text.isEmpty() ? QStringLiteral("1") : choice.text;
-    return choice.key.empty() ? Words::tr("As in the preferences (%1)").arg(unit) : unit;
+    return choice.key.empty() ? Words::tr("Default of the preferences (%1)").arg(unit) : unit;
 }
 
 } // namespace

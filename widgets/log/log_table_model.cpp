@@ -1,6 +1,7 @@
 #include "widgets/log/log_table_model.h"
 
 #include "widgets/language/display_units.h"
+#include "widgets/language/local_time.h"
 #include "widgets/theme/icons.h"
 
 #include <QLocale>
@@ -116,9 +117,7 @@ QVariant LogTableModel::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
         return cellText(row, index.column());
     case Qt::ToolTipRole:
-        return index.column() == ClockColumn
-                   ? QLocale().toString(row.entry.wall.toLocalTime(), QLocale::LongFormat)
-                   : cellText(row, TextColumn);
+        return index.column() == ClockColumn ? localTimeText(row.entry.wall) : cellText(row, TextColumn);
     case Qt::AccessibleTextRole:
         return cellText(row, index.column());
     case Qt::ForegroundRole:
@@ -141,9 +140,8 @@ QVariant LogTableModel::headerData(int section, Qt::Orientation orientation, int
         return {};
     }
     if (role == Qt::ToolTipRole) {
-        return QStringList{tr("Time of day where this window runs"),
-                           tr("Time on the device's own clock, as in its recordings")}
-            .value(section);
+        return QStringList{tr("Local time of this computer"), tr("Device time, as in its recordings")}.value(
+            section);
     }
     if (role != Qt::DisplayRole) {
         return {};

@@ -39,7 +39,8 @@ void LogView::createActions() {
     m_copy->setShortcut(QKeySequence::Copy);
     m_copy->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     m_clear = new QAction(themedIcon(QStringLiteral("clear")), QString(), this);
-    m_view->addAction(m_copy); // in the search line the keys copy its own words
+    m_view->addActions({m_copy, m_clear}); // in the search line the keys copy its own words
+    m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
     connect(m_copy, &QAction::triggered, this, &LogView::copySelected);
     connect(m_clear, &QAction::triggered, m_model, &LogTableModel::clear);
 }
@@ -62,6 +63,15 @@ void LogView::createView() {
     const auto setWidth = [this, &metrics](int column, const QString& widest) {
         m_view->setColumnWidth(column, metrics.horizontalAdvance(widest) + GroupSpacing_px);
     };
+    // A range that changes, by a new line or another size, is no scrolling by the user.
+    QScrollBar* bar = m_view->verticalScrollBar();
+    connect(bar, &QScrollBar::valueChanged, this,
+            [this, bar](int value) { m_isFollowing = value >= bar->maximum(); });
+    connect(bar, &QScrollBar::rangeChanged, this, [this, bar](int, int end) {
+        if (m_isFollowing) {
+            bar->setValue(end);
+        }
+    });
     setWidth(LogTableModel::ClockColumn, QStringLiteral("00:00:00"));
     setWidth(LogTableModel::TimeColumn, QStringLiteral("000,000.00"));
     setWidth(LogTableModel::LevelColumn, QStringLiteral("information"));
@@ -83,12 +93,7 @@ void LogView::layOut() {
 }
 
 void LogView::append(const std::vector<LogEntry>& entries) {
-    const QScrollBar* bar = m_view->verticalScrollBar();
-    const bool isFollowing = bar->value() == bar->maximum();
     m_model->append(entries);
-    if (isFollowing) {
-        m_view->scrollToBottom();
-    }
 }
 
 QString LogView::text() const {
@@ -116,19 +121,19 @@ void LogView::copySelected() {
 
 void LogView::retranslate() {
     m_search->setPlaceholderText(tr("Filter messages"));
-    m_search->setToolTip(tr("Show only messages whose source or text contains this"));
+    m_search->setToolTip(tr("Show only messages with this text"));
     m_search->setAccessibleName(tr("Filter messages"));
     const int level = m_level->currentIndex();
     m_level->clear();
-    m_level->addItems({tr("Everything"), tr("Notes and worse"), tr("Warnings and errors"), tr("Errors")});
+    m_level->addItems({tr("Everything"), tr("Info and above"), tr("Warnings and errors"), tr("Errors")});
     m_level->setCurrentIndex(qMax(0, level));
-    m_level->setToolTip(tr("The least important messages that are shown"));
+    m_level->setToolTip(tr("Lowest level of messages shown"));
     m_level->setAccessibleName(tr("Level of messages"));
     m_copy->setText(tr("Copy"));
     m_copy->setToolTip(tr("Copy the selected messages, or all that are shown (%1)")
                            .arg(m_copy->shortcut().toString(QKeySequence::NativeText)));
     m_clear->setText(tr("Clear"));
-    m_clear->setToolTip(tr("Forget all messages"));
+    m_clear->setToolTip(tr("Delete all messages"));
     m_view->setAccessibleName(tr("Log"));
 }
 

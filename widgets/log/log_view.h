@@ -39,6 +39,7 @@ private:
     QLineEdit* m_search = nullptr;
     QComboBox* m_level = nullptr;
     QTableView* m_view = nullptr;
+    bool m_isFollowing = true; ///< until the user scrolls up
     QAction* m_copy = nullptr;
     QAction* m_clear = nullptr;
 };

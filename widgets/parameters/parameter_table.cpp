@@ -229,10 +229,10 @@ QString ParameterTable::helpText(const ParameterSpec& spec) const {
     QStringList facts = {tr("%1 to %2 %3, default %4")
                              .arg(shown(spec.min), shown(spec.max), unit.text, shown(spec.defaultValue))};
     if (spec.isTransactional) {
-        facts << tr("changes together with the other gains, in one control cycle");
+        facts << tr("changes together with the other gains in one control cycle");
     }
     if (spec.access == ParameterAccess::ReadOnly) {
-        facts << tr("can only be read");
+        facts << tr("read-only");
     }
     return QStringLiteral("%1\n%2\n%3")
         .arg(QString::fromStdString(spec.name), inWords(spec.help), facts.join(QStringLiteral(" · ")));
@@ -240,7 +240,7 @@ QString ParameterTable::helpText(const ParameterSpec& spec) const {
 
 void ParameterTable::showHelp() {
     const ParameterSpec* spec = m_model->specAt(m_filter->mapToSource(m_view->currentIndex()));
-    m_help->setText(spec == nullptr ? tr("Select a parameter to read what it does.") : helpText(*spec));
+    m_help->setText(spec == nullptr ? tr("Select a parameter to see its description.") : helpText(*spec));
 }
 
 void ParameterTable::refreshActions() {
@@ -260,8 +260,8 @@ void ParameterTable::refreshActions() {
 
 void ParameterTable::retranslate() {
     setWords(*m_read, tr("Read"), tr("Read all values from the device"));
-    setWords(*m_revert, tr("Revert"), tr("Forget the edits: show what the device holds"));
-    setWords(*m_defaults, tr("Defaults"), tr("Edit every value to its default; nothing is written yet"));
+    setWords(*m_revert, tr("Revert"), tr("Discard the edits and show the device values"));
+    setWords(*m_defaults, tr("Defaults"), tr("Set every value to its default; nothing is written yet"));
     setWords(*m_undo, tr("Undo"), tr("Undo the last edit"));
     setWords(*m_redo, tr("Redo"), tr("Redo the edit"));
     setWords(*m_find, tr("Search"), tr("Search parameters"));
@@ -269,13 +269,13 @@ void ParameterTable::retranslate() {
     m_search->setToolTip(m_find->toolTip());
     m_search->setAccessibleName(m_find->toolTip());
     m_changedOnly->setText(tr("Changed only"));
-    m_changedOnly->setToolTip(tr("Show only values edited here or changed outside"));
+    m_changedOnly->setToolTip(tr("Show only values edited here or changed on the device"));
     m_changedOnly->setAccessibleName(tr("Changed only"));
     const int unit = m_angleUnit->currentIndex();
     m_angleUnit->clear();
     m_angleUnit->addItems({QStringLiteral("rad"), QStringLiteral("\u00b0")});
     m_angleUnit->setCurrentIndex(qMax(0, unit));
-    m_angleUnit->setToolTip(tr("Angle unit of what is shown and typed here"));
+    m_angleUnit->setToolTip(tr("Angle unit for display and input"));
     m_angleUnit->setAccessibleName(tr("Angle unit"));
     m_view->setAccessibleName(tr("Parameters"));
     m_view->setToolTip(tr("F2 or typing edits the value"));

@@ -53,17 +53,17 @@ QString ParameterTableModel::cellText(const Row& row, int column) const {
 
 QString ParameterTableModel::toolTip(const Row& row, int column) const {
     if (column == DeviceColumn && row.beforeOutsideChange) {
-        return tr("Changed outside this window: was %1, is now %2")
+        return tr("Changed outside this window: %1 before, %2 now")
             .arg(shownValue(row, row.beforeOutsideChange), shownValue(row, row.device));
     }
     if (column == DeviceColumn && m_isStale) {
-        return tr("The device is gone; this is the last value it reported");
+        return tr("Device disconnected; last reported value");
     }
     if (column == EditedColumn && row.edited) {
-        return tr("Edited, not on the device yet: the device holds %1").arg(shownValue(row, row.device));
+        return tr("Edited, not written yet; device value: %1").arg(shownValue(row, row.device));
     }
     if (column == EditedColumn && row.spec.access == ParameterAccess::ReadOnly) {
-        return tr("This value can only be read");
+        return tr("Read-only value");
     }
     const QString help = inWords(row.spec.help);
     return column == NameColumn ? QString::fromStdString(row.spec.name) + QLatin1Char('\n') + help : help;

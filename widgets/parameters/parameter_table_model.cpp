@@ -156,9 +156,9 @@ void ParameterTableModel::refuse(const Row& row, const Error& error, const QStri
                                  std::optional<double> value) {
     const QString name = QString::fromStdString(row.spec.name);
     const QString range =
-        tr("Allowed is %1 to %2.").arg(shownValue(row, row.spec.min), shownValue(row, row.spec.max));
+        tr("Allowed: %1 to %2.").arg(shownValue(row, row.spec.min), shownValue(row, row.spec.max));
     if (error.code == ErrorCode::DeviceRefused) {
-        Q_EMIT editRefused(name, tr("%1 can only be read.").arg(name), {}, std::nullopt);
+        Q_EMIT editRefused(name, tr("%1 is read-only.").arg(name), {}, std::nullopt);
         return;
     }
     if (!value) {
@@ -168,7 +168,7 @@ void ParameterTableModel::refuse(const Row& row, const Error& error, const QStri
     const double nearest = std::clamp(*value, row.spec.min, row.spec.max);
     const bool needsWhole = row.spec.isInteger && nearest == *value;
     Q_EMIT editRefused(name,
-                       needsWhole ? tr("%1 needs a whole number, not %2.").arg(name, typed)
+                       needsWhole ? tr("%1 must be a whole number, not %2.").arg(name, typed)
                                   : tr("%1: %2 is outside its limits.").arg(name, typed),
                        range, row.spec.isInteger ? std::round(nearest) : nearest);
 }

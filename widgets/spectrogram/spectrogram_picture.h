@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/live_plot/value_range.h"
+#include "widgets/live_plot/axes/value_range.h"
 
 #include <QString>
 #include <qwt_raster_data.h>

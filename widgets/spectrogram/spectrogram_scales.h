@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/live_plot/value_scale_draw.h"
+#include "widgets/live_plot/axes/value_scale_draw.h"
 #include "widgets/spectrogram/spectrogram_picture.h"
 
 #include <qwt_interval.h>

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace halbench::widgets {
 namespace {
@@ -189,7 +190,7 @@ void SpectrogramView::refreshWords() {
     }
     setAccessibleName(isEmpty() ? tr("Spectrogram") : m_picture->title);
     if (isEmpty()) {
-        setAccessibleDescription(tr("Nothing to show yet"));
+        setAccessibleDescription(tr("No data to show"));
     } else {
         const SpectrogramCell highest = highestCell(*m_picture);
         setAccessibleDescription(m_probe ? probeText() : tr("highest %1").arg(textOf(highest)));
@@ -320,11 +321,20 @@ QImage SpectrogramView::image(double scale) {
     return image;
 }
 
-std::function<Result<void>()> SpectrogramView::saving(const QString& path) {
-    const Result<QByteArray> nothing = failure(ErrorCode::InvalidInput, "there is no picture to save", "");
-    return pictureWriting(
-        isEmpty() ? nothing : Result<QByteArray>(drawn(pictureFormat(path).value_or(PictureFormat::Png))),
-        path);
+PictureSaving SpectrogramView::taken() {
+    std::map<PictureFormat, QByteArray> pictures;
+    if (!isEmpty()) {
+        for (const PictureFormat format : {PictureFormat::Svg, PictureFormat::Pdf, PictureFormat::Png}) {
+            pictures[format] = drawn(format);
+        }
+    }
+    return [pictures = std::move(pictures)](const QString& path) {
+        const auto found = pictures.find(pictureFormat(path).value_or(PictureFormat::Png));
+        return pictureWriting(found != pictures.end()
+                                  ? Result<QByteArray>(found->second)
+                                  : failure(ErrorCode::InvalidInput, "no picture to save", ""),
+                              path);
+    };
 }
 
 /// Axes as lines and text where the format has them; the raster is an image in each.

@@ -7,7 +7,6 @@
 #include <QImage>
 #include <qwt_plot.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -41,12 +40,12 @@ public:
 
     /// As it stands, `scale` pixels to a device-independent one.
     QImage image(double scale);
-    /// What writes the picture as it is now to a file, on any thread. PDF is for paper and light. Errors:
-    /// InvalidInput (nothing to save), FileSystem.
-    std::function<Result<void>()> saving(const QString& path);
+    /// The picture as it is now, to be written to a file that is chosen later. PDF is for paper and light.
+    /// Errors of the writing: InvalidInput (nothing to save), FileSystem.
+    PictureSaving taken();
 
 Q_SIGNALS:
-    void exportRequested(); ///< whoever owns the view asks for a file and runs saving()
+    void exportRequested(); ///< whoever owns the view calls taken(), then asks for a file
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -53,7 +53,7 @@ constexpr const char* Surfaces = R"(
 QAbstractItemView { background: @panel@; alternate-background-color: @alternate@; border: 1px solid @line@;
     gridline-color: @line@; selection-background-color: @selection@; selection-color: @text@; outline: 0; }
 QAbstractItemView:focus { border: 1px solid @accent@; }
-QAbstractItemView[surface="legend"] { border: 1px solid @panel@; }
+QAbstractItemView[surface="legend"] { background: transparent; border: 1px solid transparent; }
 QAbstractItemView[surface="legend"]:focus { border: 1px solid @accent@; }
 QAbstractItemView[surface="steps"] { background: transparent; border: none; }
 QTreeView::item, QListView::item, QTableView::item { padding: 0px; min-height: @row@px; }
@@ -94,8 +94,9 @@ QSlider { border: 2px solid transparent; min-height: @inner@px; }
 QGroupBox { border: none; margin-top: @inner@px; padding-top: 4px; }
 QGroupBox::title { subcontrol-origin: margin; left: 0px; color: @muted@; }
 QSplitter::handle { background: @line@; }
+QSplitter[surface="plots"]::handle { background: @raised@; }
 QSplitter::handle:horizontal { width: 1px; } QSplitter::handle:vertical { height: 1px; }
-QToolBar { background: @window@; border: none; border-bottom: 1px solid @line@; spacing: 4px; padding: 4px 8px; }
+QToolBar { background: @window@; border: none; border-bottom: 1px solid @line@; spacing: 4px; padding: 2px 8px; }
 #qt_toolbar_ext_button { background: transparent; border: 1px solid @line@; padding: 0px; min-height: 0px; }
 QToolBar::separator { background: @line@; width: 1px; margin: 4px; }
 ads--CDockWidgetTab { background: @window@ !important; border: none !important;
@@ -121,6 +122,7 @@ QLabel[role="primary"] { color: @accent@; } QLabel[heading="true"] { font-weight
 QLabel[badge="true"] { border-radius: 4px; padding: 3px 8px; font-weight: bold; border: 1px solid @muted@;
     color: @muted@; }
 QLabel[badge="true"][role="simulated"] { background: @simulated@; color: @onsimulated@; border-color: @simulated@; }
+QLabel[badge="true"][role="primary"] { background: @accent@; color: @onaccent@; border-color: @accent@; }
 QLabel[badge="true"][role="armed"] { background: @armed@; color: @onarmed@; border-color: @armed@; }
 QLabel[badge="true"][role="good"] { color: @good@; border-color: @good@; }
 QLabel[badge="true"][role="bad"] { color: @bad@; border: 2px solid @bad@; padding: 2px 7px; }

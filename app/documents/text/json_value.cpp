@@ -210,7 +210,7 @@ Result<std::string> toJsonText(const JsonValue& value) {
     if (!writer.badPath.empty()) {
         return failure(ErrorCode::Internal,
                        "the result holds a value that is not a finite number at '" + writer.badPath + "'",
-                       "report this with the command line that led to it");
+                       "report this with the command line used");
     }
     writer.text += '\n';
     return writer.text;

@@ -105,8 +105,8 @@ Result<void> checkIsNoInput(const std::string& path, const std::vector<std::stri
     for (const std::string& input : inputs) {
         std::error_code missing; // a file that is not there is none of the inputs
         if (std::filesystem::equivalent(path, input, missing)) {
-            return failure(ErrorCode::Usage, fmt::format("--out {} would replace the recording itself", path),
-                           "name another file");
+            return failure(ErrorCode::Usage, fmt::format("--out {} would overwrite the recording", path),
+                           "use another file name");
         }
     }
     return {};

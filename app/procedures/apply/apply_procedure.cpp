@@ -12,25 +12,12 @@ namespace {
 Result<ApplyResult> runInside(devices::Device& device, const ApplyConfig& config, RestoreGuard& guard,
                               const ProcedureObserver& observer) {
     ApplyResult result;
-    const auto before = readBack(device, config.values);
-    if (!before) {
-        return failure(before.error());
+    auto changed = writeVerified(device, guard, config.values, observer);
+    if (!changed) {
+        return failure(changed.error());
     }
-    result.before = *before;
-    if (auto entered = enterState(observer, ProcedureState::Apply); !entered) {
-        return failure(entered.error());
-    }
-    if (auto written = device.writeParameters(config.values); !written) {
-        return failure(written.error());
-    }
-    const auto after = readBack(device, config.values);
-    if (!after) {
-        return failure(after.error());
-    }
-    result.after = *after;
-    if (auto same = compareValues(config.values, result.after); !same) {
-        return failure(same.error());
-    }
+    result.before = std::move(changed->before);
+    result.after = std::move(changed->after);
     if (config.verification) {
         if (auto verified = verifyMove(device, *config.verification, observer, result); !verified) {
             return failure(verified.error());
@@ -53,6 +40,9 @@ Result<ApplyResult> runGuarded(devices::Device& device, const ApplyConfig& confi
                                const ProcedureObserver& observer) {
     if (auto offered = checkProcedureOffered(device.catalogue(), "apply"); !offered) {
         return failure(offered.error());
+    }
+    if (auto single = checkSingleLoop(device.catalogue(), "apply"); !single) {
+        return failure(single.error());
     }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "app/procedures/apply/effort_check.h"
 #include "app/procedures/base/procedure.h"
-#include "app/procedures/move/motion_band.h"
+#include "app/procedures/move/motion_envelope.h"
 #include "app/procedures/move/move_procedure.h"
 #include "app/procedures/tune/analyse.h"
 
@@ -19,7 +20,12 @@ struct ApplyVerification {
     double overshootTolerance_percent = 8.0; ///< measured may exceed the prediction by this
     double errorTolerance_rad = 0.02;        ///< final error, likewise
     UncertaintyDraws draws;                  ///< of the motors whose motions make the band
-    std::optional<MotionBand> band;          ///< that the motion must keep to; absent: made of those motors
+    std::optional<MotionEnvelope> band;      ///< that the motion must keep to; absent: made of those motors
+    double bandTolerance_rad = MotionTolerance_rad; ///< around the band of those motors
+    /// Of a device with several: then all numbers are in the units of the axis, and its effort limit is that
+    /// of the prediction.
+    std::optional<devices::AxisSpec> axis = {};
+    double effortLimit = 0.0;
 };
 
 /// As `tune --apply` and the Tune panel verify: a step of half a radian, 29 degrees.
@@ -43,6 +49,7 @@ struct VerificationBand {
     std::optional<double> allowedOvershoot_percent;
     /// Of the band that the uncertainty of the motor allows, by what the motion needs; up to 1 is inside.
     double widening_ratio = 0.0;
+    std::optional<EffortAgreement> effort = {}; ///< of a step of a device with several axes
 };
 
 struct ApplyResult {

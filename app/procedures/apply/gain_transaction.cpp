@@ -1,5 +1,8 @@
 #include "app/procedures/apply/gain_transaction.h"
 
+#include "app/procedures/base/procedure_steps.h"
+#include "control/base/assert.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,10 +56,46 @@ Result<void> compareValues(const std::vector<ParameterValue>& asked,
             return failure(
                 ErrorCode::DeviceRefused,
                 fmt::format("{} reads {} after writing {}", asked[i].name, found[i].value, asked[i].value),
-                "The old values run again; check the device's limits.");
+                "Old values restored. Check the device limits.");
         }
     }
     return {};
+}
+
+namespace {
+
+/// Those of the snapshot that have the names of `values`, in their order.
+std::vector<ParameterValue> beforeOf(const RestoreGuard& guard, const std::vector<ParameterValue>& values) {
+    std::vector<ParameterValue> before;
+    for (const ParameterValue& value : values) {
+        const auto& snapshot = guard.snapshot();
+        const auto old = std::find_if(snapshot.begin(), snapshot.end(),
+                                      [&](const ParameterValue& each) { return each.name == value.name; });
+        HB_ASSERT(old != snapshot.end());
+        before.push_back(*old);
+    }
+    return before;
+}
+
+} // namespace
+
+Result<ChangedValues> writeVerified(devices::Device& device, const RestoreGuard& guard,
+                                    const std::vector<ParameterValue>& values,
+                                    const ProcedureObserver& observer) {
+    if (auto entered = enterState(observer, ProcedureState::Apply); !entered) {
+        return failure(entered.error());
+    }
+    if (auto written = device.writeParameters(values); !written) {
+        return failure(written.error());
+    }
+    auto after = readBack(device, values);
+    if (!after) {
+        return failure(after.error());
+    }
+    if (auto same = compareValues(values, *after); !same) {
+        return failure(same.error());
+    }
+    return ChangedValues{beforeOf(guard, values), *std::move(after)};
 }
 
 Result<void> keepValues(devices::Device& device, const RestoreGuard& guard,

@@ -23,7 +23,19 @@ Result<std::vector<ParameterValue>> readBack(devices::Device& device,
 Result<void> compareValues(const std::vector<ParameterValue>& asked,
                            const std::vector<ParameterValue>& found);
 
-/// What a verification changed beside `values` goes back, the new values stay. Errors: of the device.
+/// The values before and after a change.
+struct ChangedValues {
+    std::vector<ParameterValue> before;
+    std::vector<ParameterValue> after; ///< as read back
+};
+/// Enters Apply and writes the values in one transaction; those of before are known from the guard, which
+/// must have been taken with their names. Errors: of the device, of the abort, of compareValues.
+Result<ChangedValues> writeVerified(devices::Device& device, const RestoreGuard& guard,
+                                    const std::vector<ParameterValue>& values,
+                                    const ProcedureObserver& observer);
+
+/// Puts back the parameters that a verification changed beside `values`; the new values stay. Errors: of the
+/// device.
 Result<void> keepValues(devices::Device& device, const RestoreGuard& guard,
                         const std::vector<ParameterValue>& values);
 

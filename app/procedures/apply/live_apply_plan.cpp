@@ -80,7 +80,7 @@ Result<std::vector<PositionLaw>> lawsBetween(const PositionLaw& from, const Live
     constexpr double LeastStep_ratio = 1.05;
     if (!(config.largestStep_ratio >= LeastStep_ratio)) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("steps of a factor {} do not get anywhere", config.largestStep_ratio),
+                       fmt::format("a step factor of {} is too small", config.largestStep_ratio),
                        "allow at least 1.05");
     }
     std::vector<PositionLaw> laws;
@@ -88,8 +88,8 @@ Result<std::vector<PositionLaw>> lawsBetween(const PositionLaw& from, const Live
         share = nextShare(from, share, config);
         laws.push_back(between(from, config.target, share));
         if (laws.size() > MostSteps) {
-            return failure(ErrorCode::OutOfRange, "the way to these gains takes more than 40 steps",
-                           "allow larger steps, or apply gains that are nearer first");
+            return failure(ErrorCode::OutOfRange, "the gains are more than 40 steps away",
+                           "allow larger steps, or apply intermediate gains first");
         }
     }
     return laws;

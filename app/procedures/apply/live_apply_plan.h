@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/procedures/move/motion_band.h"
+#include "app/procedures/move/motion_envelope.h"
 #include "app/procedures/tune/tune.h"
 
 #include <vector>
@@ -22,7 +22,7 @@ struct LiveApplyConfig {
 struct LiveStep {
     control::PositionLaw law;
     control::Robustness robust;
-    MotionBand band; ///< of a step of the reference by the amplitude; what leaves it ends everything
+    MotionEnvelope band; ///< of a step of the reference by the amplitude; what leaves it ends everything
 };
 
 /// The sets of gains between the two and the target itself: straight lines, as long as the largest step

@@ -1,8 +1,8 @@
 #include "app/procedures/apply/live_apply_procedure.h"
 
-#include "app/procedures/apply/band_watch.h"
 #include "app/procedures/apply/gain_transaction.h"
 #include "app/procedures/apply/live_step_judge.h"
+#include "app/procedures/apply/prediction_monitor.h"
 #include "app/procedures/apply/verify_move.h"
 #include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
@@ -45,8 +45,8 @@ ApplyVerification verificationOf(const LiveApplyConfig& config, double direction
     return verification;
 }
 
-MotionBand mirrored(const MotionBand& band) {
-    MotionBand result = band;
+MotionEnvelope mirrored(const MotionEnvelope& band) {
+    MotionEnvelope result = band;
     for (std::size_t i = 0; i < band.time_s.size(); ++i) {
         result.angle_rad.p5[i] = -band.angle_rad.p95[i];
         result.angle_rad.p95[i] = -band.angle_rad.p5[i];
@@ -126,8 +126,8 @@ ProcedureObserver Walk::counting(const ProcedureObserver& of) const {
 }
 
 Result<bool> Walk::prove(const LiveStep& step, double direction, LiveStepResult& done) {
-    const MotionBand band = direction > 0.0 ? step.band : mirrored(step.band);
-    BandWatch watch(m_observer, band);
+    const MotionEnvelope band = direction > 0.0 ? step.band : mirrored(step.band);
+    PredictionMonitor watch(m_observer, band);
     ApplyVerification verification = verificationOf(m_config, direction);
     verification.band = band;
     ApplyResult verified;
@@ -212,15 +212,18 @@ Result<void> checkPlainLaw(devices::Device& device) {
     if (!law) {
         return failure(law.error());
     }
-    return control::isBoardLaw(control::shapedLaw(*law))
+    return control::isBoardLaw(control::filteredLaw(*law))
                ? Result<void>()
-               : failure(ErrorCode::Refused, "the law on the device has set-point weights or filters",
-                         "apply the gains at once: that takes them out");
+               : failure(ErrorCode::Refused, "the device's control law has set-point weights or filters",
+                         "apply the gains in one step: this removes them");
 }
 
 Result<LiveApplyResult> Walk::run() {
     if (auto offered = checkProcedureOffered(m_device.catalogue(), "apply"); !offered) {
         return failure(offered.error());
+    }
+    if (auto single = checkSingleLoop(m_device.catalogue(), "apply"); !single) {
+        return failure(single.error());
     }
     if (auto entered = enterState(m_observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());

@@ -25,22 +25,21 @@ Result<void> admit(const TuneResult& judged, const StepNumber& step) {
     if (judged.predicted.isStable && isRobust) {
         return {};
     }
-    return failure(
-        ErrorCode::Refused,
-        fmt::format("step {} of {} is not safe: {:.1f} % of the motors that the data allow make its loop "
-                    "unstable, its margins are {:.3g} deg and {:.3g}",
-                    step.number, step.count,
-                    judged.predicted.isStable ? 100.0 * robust.unstable_fraction : 100.0,
-                    robust.phaseMargin_deg_p5, gain),
-        "nothing was written; choose gains with larger margins, or identify more precisely");
+    return failure(ErrorCode::Refused,
+                   fmt::format("step {} of {} is not safe: unstable for {:.1f} % of the motors within the "
+                               "uncertainty, margins {:.3g} deg and {:.3g}",
+                               step.number, step.count,
+                               judged.predicted.isStable ? 100.0 * robust.unstable_fraction : 100.0,
+                               robust.phaseMargin_deg_p5, gain),
+                   "nothing was written; use gains with larger margins, or identify more precisely");
 }
 
 std::vector<control::ReferencePoint> stepReference(const LiveApplyConfig& config) {
     return {1, control::ReferencePoint{config.amplitude_rad, 0.0, 0.0}};
 }
 
-Result<MotionBand> bandOf(const PositionLaw& law, const std::vector<RunMotor>& motors,
-                          const LiveApplyConfig& config) {
+Result<MotionEnvelope> bandOf(const PositionLaw& law, const std::vector<RunMotor>& motors,
+                              const LiveApplyConfig& config) {
     const auto board = simulatedLaw(law, config.conditions);
     if (!board) {
         return failure(board.error());

@@ -1,6 +1,7 @@
 #include "app/procedures/apply/verify_move.h"
 
-#include "app/procedures/apply/band_watch.h"
+#include "app/procedures/apply/prediction_monitor.h"
+#include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/tune/position_law_parameters.h"
 
@@ -16,10 +17,10 @@ Result<models::IdealTrace> predict(const ApplyVerification& verification, const 
                                    const control::SampledPositionLaw& law) {
     const auto reference = idealReference(verification.reference);
     if (!reference) {
-        return failure(ErrorCode::InvalidInput,
-                       fmt::format("a {} has no prediction to verify against",
-                                   moveShapeName(verification.reference.shape)),
-                       "Verify with a step, ramp, sine or staircase.");
+        return failure(
+            ErrorCode::InvalidInput,
+            fmt::format("no prediction available for a {}", moveShapeName(verification.reference.shape)),
+            "Verify with a step, ramp, sine or staircase.");
     }
     models::IdealLoopConfig loop;
     loop.rotor.inertia_kg_m2 = 1.0; // the motion depends on the ratios to J only
@@ -51,13 +52,14 @@ void judge(const ApplyVerification& verification, ApplyResult& result) {
     const MoveFigures& predicted = *result.predicted;
     const MoveFigures& measured = result.verification->measured;
     VerificationBand& band = *result.band;
-    const auto expect = [&](const char* what, double seen, double allowed, const char* unit) {
+    const std::string unitOfError = verification.axis ? verification.axis->positionUnit : "rad";
+    const auto expect = [&](const char* what, double seen, double allowed, const std::string& unit) {
         if (!(seen <= allowed)) {
             refuse(result.quality, "verification_failed",
                    {ErrorCode::Refused,
-                    fmt::format("{} was {:.3g} {}, the prediction allows {:.3g} {}", what, seen, unit,
-                                allowed, unit),
-                    "The old values run again. Identify the motor anew, or choose calmer gains."});
+                    fmt::format("{}: {:.3g} {}, limit of the prediction {:.3g} {}", what, seen, unit, allowed,
+                                unit),
+                    "Old values restored. Identify the motor again, or use lower gains."});
         }
     };
     if (predicted.overshoot_percent && measured.overshoot_percent) {
@@ -66,18 +68,18 @@ void judge(const ApplyVerification& verification, ApplyResult& result) {
         band.allowed_rad =
             std::max(std::fabs(predicted.finalError), band.friction_rad) + verification.errorTolerance_rad;
         expect("overshoot", *measured.overshoot_percent, *band.allowedOvershoot_percent, "%");
-        expect("final error", std::fabs(measured.finalError), band.allowed_rad, "rad");
+        expect("final error", std::fabs(measured.finalError), band.allowed_rad, unitOfError);
     } else {
         constexpr double Margin_ratio = 1.5; // friction scatter is the largest part of a tracking error
         band.allowed_rad =
             Margin_ratio * std::max(predicted.rmsError, band.friction_rad) + verification.errorTolerance_rad;
-        expect("rms error", measured.rmsError, band.allowed_rad, "rad");
+        expect("rms error", measured.rmsError, band.allowed_rad, unitOfError);
     }
 }
 
 /// Measured against predicted at the same time; between two rows of the prediction on the straight line.
-void compareCurves(const Recording& measured, VerificationBand& band) {
-    const std::vector<double> position_rad = measured.column("position");
+void compareCurves(const Recording& measured, const std::string& position, VerificationBand& band) {
+    const std::vector<double> position_rad = measured.column(position);
     const models::IdealTrace& predicted = band.predicted;
     for (std::size_t i = 0; i < position_rad.size(); ++i) {
         const double time_s = measured.time_s[i];
@@ -120,7 +122,7 @@ Result<MotorEstimate> withUncertainty(const MotorEstimate& motor) {
 }
 
 /// Where the motion of this law may lie; of a reference that has a prediction.
-Result<MotionBand> bandOf(const ApplyVerification& verification, const control::SampledPositionLaw& law) {
+Result<MotionEnvelope> bandOf(const ApplyVerification& verification, const control::SampledPositionLaw& law) {
     if (verification.band) {
         return *verification.band;
     }
@@ -135,14 +137,14 @@ Result<MotionBand> bandOf(const ApplyVerification& verification, const control::
         points.push_back(control::evaluateReference(reference, i * law.period_s));
     }
     const auto rows = static_cast<std::size_t>(std::lround(1e3 * verification.duration_s)) + 1;
-    return expectedMotion(*motors, law, points, rows);
+    return expectedMotion(*motors, law, points, rows, verification.bandTolerance_rad);
 }
 
 /// The angle of a move in rows 1 ms apart, from where the rotor was: the board may send fewer, and some may
 /// be lost. Ends where the recording does.
-std::vector<double> everyMillisecond(const Recording& move) {
+std::vector<double> everyMillisecond(const Recording& move, const std::string& position) {
     constexpr double Row_s = 1e-3;
-    const std::vector<double> position_rad = move.column("position");
+    const std::vector<double> position_rad = move.column(position);
     std::vector<double> angle_rad;
     std::size_t next = 0;
     for (std::size_t row = 0; !position_rad.empty(); ++row) {
@@ -164,20 +166,58 @@ std::vector<double> everyMillisecond(const Recording& move) {
 
 /// A motor that is not the model may end its move where the model does: the whole way must be one that the
 /// uncertainty of the model allows.
-void judgeWay(const MotionBand& band, ApplyResult& result) {
-    const std::vector<double> angle_rad = everyMillisecond(result.verification->recording);
+void judgeWay(const ApplyVerification& verification, const MotionEnvelope& band, const std::string& position,
+              ApplyResult& result) {
+    const std::vector<double> angle_rad = everyMillisecond(result.verification->recording, position);
     result.band->widening_ratio = neededWidening_ratio(band, angle_rad, 0.0);
     BandCheck check(band);
     for (std::size_t row = 0; row < angle_rad.size(); ++row) {
         check.add(1e-3 * static_cast<double>(row), angle_rad[row]);
     }
     if (check.departure()) {
-        refuse(result.quality, "left_predicted_band", departureError(*check.departure()));
+        refuse(result.quality, "left_predicted_band",
+               verification.axis ? departureError(*check.departure(), *verification.axis)
+                                 : departureError(*check.departure()));
     } else if (result.band->widening_ratio > 1.0) {
         refuse(result.quality, "left_predicted_band",
+               {ErrorCode::Refused, "more than 5 % of the measured motion outside the predicted band",
+                "Old values restored. Identify the motor again, or use lower gains."});
+    }
+}
+
+/// One sigma of the acceleration gain; of a model without uncertainty what motors of one make differ by.
+double gainDeviation_ratio(const MotorEstimate& motor, const control::PositionPlant& plant) {
+    constexpr double Assumed_ratio = 0.05;
+    for (std::size_t i = 0; i < motor.covarianceNames.size(); ++i) {
+        if (motor.covarianceNames[i] == "phi_over_J") {
+            return std::sqrt(std::max(0.0, motor.covariance[i][i])) / plant.accelerationGain_rad_s2_A;
+        }
+    }
+    return Assumed_ratio;
+}
+
+/// A gain that is not the model's moves the poles of a loop little where the law is strong: position alone
+/// does not show it.
+void judgeEffort(const ApplyVerification& verification, const control::PositionPlant& plant,
+                 const devices::Catalogue& catalogue, ApplyResult& result) {
+    constexpr double Start_s = 0.05; // shorter than any loop of a board rises
+    if (!verification.axis) {
+        return;
+    }
+    const EffortColumns columns{signalOf(catalogue, verification.axis->roles.position),
+                                signalOf(catalogue, verification.axis->roles.effort)};
+    const double until_s = std::max(Start_s, 2.0 * result.predicted->riseTime_s.value_or(Start_s));
+    std::optional<EffortAgreement>& effort = result.band->effort;
+    effort = effortAgreement(result.verification->recording, columns, plant,
+                             gainDeviation_ratio(verification.motor, plant), until_s);
+    if (effort && !effort->isWithin()) {
+        refuse(result.quality, "effort_differs",
                {ErrorCode::Refused,
-                "more than a twentieth of the measured motion was outside the predicted band",
-                "The old values run again. Identify the motor anew, or choose calmer gains."});
+                fmt::format("the motion took {:.3g} times the effort that the model needs for it, {:.3g} to "
+                            "{:.3g} are allowed",
+                            effort->ratio, effort->low, effort->high),
+                "The old values run again. The mass, the inertia or the force constant is not the one of the "
+                "model: identify the axes anew."});
     }
 }
 
@@ -224,11 +264,40 @@ void judgeData(const ApplyVerification& verification, ApplyResult& result) {
         quality.verdict = Verdict::Refused;
         quality.findings.push_back(
             {"verification_incomplete",
-             fmt::format("the verification move was seen for {:.2f} of {:.2f} s",
+             fmt::format("only {:.2f} of {:.2f} s of the verification move were recorded",
                          verification.duration_s - unseen.total_s, verification.duration_s),
-             "The old values run again. See that the link is not overloaded, and "
-             "apply again."});
+             "Old values restored. Check that the link is not overloaded, then apply again."});
     }
+}
+
+/// The law of the loop that is verified.
+Result<control::SampledPositionLaw> lawOnDevice(devices::Device& device,
+                                                const ApplyVerification& verification) {
+    if (!verification.axis) {
+        return readPositionLaw(device);
+    }
+    auto law = readPositionLaw(device, catalogueOfAxis(device.catalogue(), *verification.axis));
+    if (law) {
+        law->limit_A = verification.effortLimit;
+    }
+    return law;
+}
+
+/// The readings of an axis scatter: at rest by so much that a narrower band would refuse what is right. Up to
+/// its end tolerance, so that a loop that swings by itself is not excused.
+std::optional<ApplyVerification> withSeenNoise(const ApplyVerification& verification,
+                                               const MoveFigures& seen) {
+    constexpr double Deviations = 4.0;
+    if (!verification.axis || !seen.restRms) {
+        return std::nullopt;
+    }
+    const double noise = std::min(Deviations * *seen.restRms, verification.axis->endTolerance);
+    if (noise <= verification.bandTolerance_rad) {
+        return std::nullopt;
+    }
+    ApplyVerification wider = verification;
+    wider.bandTolerance_rad = noise;
+    return wider;
 }
 
 } // namespace
@@ -237,6 +306,7 @@ MoveConfig moveOf(const ApplyVerification& verification) {
     MoveConfig config;
     config.reference = verification.reference;
     config.duration_s = verification.duration_s;
+    config.axis = verification.axis ? verification.axis->id : std::string();
     return config;
 }
 
@@ -249,7 +319,7 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& verifi
     if (!plant) {
         return failure(plant.error());
     }
-    const auto law = readPositionLaw(device);
+    const auto law = lawOnDevice(device, verification);
     if (!law) {
         return failure(law.error());
     }
@@ -262,7 +332,7 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& verifi
     if (!predicted) {
         return failure(predicted.error());
     }
-    const auto band = bandOf(verification, *law);
+    auto band = bandOf(verification, *law);
     if (!band) {
         return failure(band.error());
     }
@@ -272,14 +342,20 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& verifi
     if (!seen) {
         return failure(seen.error());
     }
+    if (const auto wider = withSeenNoise(verification, seen->measured)) {
+        band = bandOf(*wider, *law);
+    }
     result.predicted = *predicted;
     result.verification = *seen;
     result.band.emplace();
     result.band->predicted = *std::move(trace);
     result.band->friction_rad = frictionBand_rad(*plant, *law);
-    compareCurves(seen->recording, *result.band);
+    const std::string position =
+        verification.axis ? signalOf(device.catalogue(), verification.axis->roles.position) : "position";
+    compareCurves(seen->recording, position, *result.band);
     judgeData(verification, result);
-    judgeWay(*band, result);
+    judgeWay(verification, *band, position, result);
+    judgeEffort(verification, *plant, device.catalogue(), result);
     judge(verification, result);
     return {};
 }

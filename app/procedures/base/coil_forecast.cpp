@@ -27,11 +27,11 @@ Result<CoilTemperatures> waitUntilCool(devices::Device& device, const ProcedureO
         }
         if (device.clock().now_s() - start_s > LongestPause_s) {
             return failure(ErrorCode::Refused,
-                           fmt::format("a coil is at {:.0f} degC and does not cool below {:.0f} degC",
+                           fmt::format("coil temperature {:.0f} degC, does not fall below {:.0f} degC",
                                        now->highest_degC, pause_degC),
-                           "Cool the motor's surroundings and try again.");
+                           "Cool the motor, then try again.");
         }
-        const std::string text = fmt::format("waits for the coils to cool: {:.0f} degC", now->highest_degC);
+        const std::string text = fmt::format("cooling the coils: {:.0f} degC", now->highest_degC);
         if (auto waited = waitObserved(device, observer, 1.0, 0.0, 0.0, text); !waited) {
             return failure(waited.error());
         }
@@ -56,7 +56,7 @@ Result<CoilTemperatures> readCoilTemperatures(devices::Device& device) {
     }
     if (!std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); })) {
         return failure(ErrorCode::NotFinite, "a coil temperature is not a number",
-                       "Nothing is armed without it; check the temperature sensors.");
+                       "Nothing was armed. Check the temperature sensors.");
     }
     const auto [lowest, highest] = std::minmax_element(values->begin(), values->end());
     return CoilTemperatures{*highest, *lowest};
@@ -91,9 +91,9 @@ Result<double> admitHeat(devices::Device& device, const ProcedureObserver& obser
         forecastCoil_degC(coilModel(device.catalogue()), *start, meanSquare_A2, duration_s);
     if (forecast_degC > refuse_degC) {
         return failure(ErrorCode::Refused,
-                       fmt::format("the coils would reach {:.0f} degC, more than {:.0f} degC", forecast_degC,
+                       fmt::format("expected coil temperature {:.0f} degC, limit {:.0f} degC", forecast_degC,
                                    refuse_degC),
-                       "Shorten it, use less current, or let the motor cool first. Nothing was armed.");
+                       "Nothing was armed. Use a shorter run or less current, or let the motor cool.");
     }
     return forecast_degC;
 }

@@ -37,7 +37,7 @@ Result<void> checkTimingOfModel(const MeasuredTiming& model, const control::Loop
                    fmt::format("the motor was measured at {:.4g} s with {} samples of delay, this device has "
                                "{:.4g} s and {}",
                                own.period_s, own.delay_samples, device.period_s, device.delay_samples),
-                   "identify the motor with the delay that this device has now");
+                   "identify the motor with the present delay of the device");
 }
 
 } // namespace halbench::app

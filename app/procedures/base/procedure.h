@@ -28,6 +28,8 @@ struct Finding {
     std::string code; ///< stable snake_case word, e.g. "inertia_not_given"
     std::string message;
     std::string hint;
+
+    bool operator==(const Finding&) const = default;
 };
 
 enum class Verdict { Good, Doubtful, Refused };
@@ -42,7 +44,7 @@ struct DataQuality {
 /// Asked between steps; an error (Interrupted, Terminated) ends what asks.
 using AbortCheck = std::function<Result<void>()>;
 
-/// What whoever drives a procedure (wizard page, batch, test) wants to hear of it. Called on the procedure's
+/// Callbacks of a procedure to its driver (wizard page, batch, test). Called on the procedure's
 /// thread; every member may be empty.
 struct ProcedureObserver {
     std::function<void(ProcedureState)> onState;

@@ -80,11 +80,10 @@ void StreamRecorder::checkFinite(const SampleBlock& block) {
     for (std::size_t row = 0; row < block.rows() && !m_error; ++row) {
         for (std::size_t column = 0; column < block.layout->columns.size(); ++column) {
             if (!std::isfinite(block.value(row, column))) {
-                m_error =
-                    Error{ErrorCode::NotFinite,
-                          fmt::format("{} is not a number at {:.3f} s", block.layout->columns[column].name,
-                                      block.time_s[row]),
-                          "The board or the link delivers damaged values; nothing was concluded from them."};
+                m_error = Error{ErrorCode::NotFinite,
+                                fmt::format("{} is not a number at {:.3f} s",
+                                            block.layout->columns[column].name, block.time_s[row]),
+                                "Damaged values from the device or the link; no result."};
                 break;
             }
         }

@@ -13,6 +13,8 @@ bool isTransactionMark(const std::string& name) {
 
 // Not on the pages, but a board that idled before shall idle again.
 constexpr const char* ModeName = "hb.mode";
+// A board without it only senses: there is nothing to disarm.
+constexpr const char* ArmName = "hb.arm";
 
 std::vector<std::string> restorableNames(const devices::Catalogue& catalogue) {
     std::vector<std::string> names;
@@ -86,7 +88,8 @@ Result<void> RestoreGuard::restore() {
         return {};
     }
     device->stopStream();
-    const Result<void> disarmed = device->disarm();
+    const bool canArm = device->catalogue().findParameter(ArmName) != nullptr;
+    const Result<void> disarmed = canArm ? device->disarm() : Result<void>();
     Result<void> written;
     if (!m_isKept) {
         written = device->writeParameters(m_snapshot);

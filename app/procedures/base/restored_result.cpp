@@ -7,9 +7,9 @@ namespace halbench::app {
 Error unconfirmedRestore(const Error& cause, const Error& obstacle) {
     const bool isInterrupted = cause.code == ErrorCode::Interrupted || cause.code == ErrorCode::Terminated;
     return {isInterrupted ? obstacle.code : cause.code,
-            fmt::format("{}; it is not confirmed that the values from before are back: {}", cause.message,
+            fmt::format("{}; restoring the previous values is not confirmed: {}", cause.message,
                         obstacle.message),
-            "connect again and compare the parameters before the actuator is armed"};
+            "connect again and compare the parameters before arming"};
 }
 
 } // namespace halbench::app

@@ -6,6 +6,9 @@ namespace halbench::app {
 
 namespace {
 
+/// Of the packets that were missing, so that their order is the cause and not a loss.
+constexpr double MostOfThem_ratio = 0.5;
+
 /// A device that was lost and came back counts anew.
 double counted(std::uint64_t before, std::uint64_t after) {
     return static_cast<double>(after >= before ? after - before : after);
@@ -18,16 +21,22 @@ RowLossCause causeOfRowLoss(const devices::LinkStatistics& before, const devices
     const double lost = counted(before.packetsLost, after.packetsLost);
     const double damaged = counted(before.packetsDamaged, after.packetsDamaged);
     if (damaged > 0.0) { // what is damaged is missing in the counter too
-        return {fmt::format("the line damaged {:.2g} % of the frames", 1e2 * damaged / (received + damaged)),
+        return {fmt::format("{:.2g} % of the frames were damaged on the line",
+                            1e2 * damaged / (received + damaged)),
                 "shorten or shield the cable, or lower the baud rate"};
     }
+    const double late = counted(before.packetsLate, after.packetsLate);
+    if (late > 0.0 && late >= MostOfThem_ratio * lost) {
+        return {fmt::format("{:.2g} % of the packets arrived out of order", 1e2 * late / (received + lost)),
+                "connect by tcp: instead of udp:; tcp keeps the order"};
+    }
     if (lost > 0.0) {
-        return {fmt::format("{:.2g} % of the packets were lost and none was damaged: a queue was full",
+        return {fmt::format("{:.2g} % of the packets were lost, none was damaged",
                             1e2 * lost / (received + lost)),
-                "record fewer signals or at a lower rate, or connect by tcp: instead of udp:"};
+                "use fewer signals or a lower rate, or connect by tcp: instead of udp:"};
     }
     if (received > 0.0) {
-        return {"no packet was lost or damaged: the board left rows out or sent them late", ""};
+        return {"no packet was lost or damaged: the device skipped or delayed rows", ""};
     }
     return {};
 }

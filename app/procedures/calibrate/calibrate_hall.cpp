@@ -78,9 +78,9 @@ void judgeEllipse(CalibrateResult& result, const control::HallEllipseFit& fit) {
         result.quality.verdict = std::max(result.quality.verdict, Verdict::Doubtful);
         result.quality.findings.push_back(
             {"hall_not_an_ellipse",
-             fmt::format("the readings lie {:.1f} % of the amplitude away from their ellipse",
+             fmt::format("distance of the readings from the ellipse: {:.1f} % of the amplitude",
                          100.0 * fit.residual_ratio),
-             "look for saturated sensors or a loose magnet"});
+             "check for saturated sensors or a loose magnet"});
     }
 }
 
@@ -151,7 +151,7 @@ std::vector<PlateauRun> hallRuns(const CalibrateConfig& config, const PilotEstim
         run.currents_A = {sign * current_A, sign * current_A, 0.0};
         run.dwell_s = 4.0;
         run.mayReach_rad_s = 0.9 * config.speedLimit_rad_s;
-        run.text = "spins slowly for the Hall sensors";
+        run.text = "turning slowly (Hall sensors)";
         runs.push_back(std::move(run));
     }
     return runs;
@@ -177,8 +177,8 @@ Result<void> calibrateHall(devices::Device& device, const CalibrateConfig& confi
     const auto fit = control::fitHallEllipse(readings.a_T, readings.b_T);
     if (!fit) {
         result.quality.verdict = std::max(result.quality.verdict, Verdict::Refused);
-        result.quality.findings.push_back(
-            {"hall_not_calibrated", fit.error().message, "use a spin current above the breakaway current"});
+        result.quality.findings.push_back({"hall_not_calibrated", fit.error().message,
+                                           "use a rotation current above the breakaway current"});
         return {};
     }
     result.hallPoints = some(readings);

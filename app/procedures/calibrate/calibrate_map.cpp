@@ -113,12 +113,11 @@ bool judgeMap(CalibrateResult& result, const AngleMap& map, double gap_rad) {
     if (rest_rad < WorstRest_ratio * size_rad) {
         return true;
     }
-    remark(
-        result, Verdict::Good, "angle_map_not_proposed",
-        fmt::format("the angle error of {:.3f} degrees rms that the ellipse leaves is not known well enough "
-                    "({:.3f} degrees: ripple of the speed and scatter)",
-                    ToDegrees * size_rad, ToDegrees * rest_rad),
-        "the ellipse alone is as good");
+    remark(result, Verdict::Good, "angle_map_not_proposed",
+           fmt::format("the residual angle error of the ellipse, {:.3f} degrees rms, is too uncertain "
+                       "({:.3f} degrees from speed ripple and scatter)",
+                       ToDegrees * size_rad, ToDegrees * rest_rad),
+           "use the ellipse without the map");
     return false;
 }
 
@@ -137,9 +136,10 @@ void evaluate(CalibrateResult& result, const std::vector<Recording>& recordings)
         reverse = mapOf(recordings[1]);
     }
     if (!map || !forward || !reverse) {
-        remark(result, Verdict::Good, "angle_map_not_found",
-               "the rotor did not turn fast and long enough to show the angle error that the ellipse leaves",
-               "allow a higher current or speed");
+        remark(
+            result, Verdict::Good, "angle_map_not_found",
+            "the rotor did not turn fast and long enough to measure the residual angle error of the ellipse",
+            "allow a higher current or speed");
         proposeNoMap(result);
         return;
     }
@@ -166,7 +166,7 @@ std::vector<PlateauRun> angleMapRuns(const CalibrateConfig& config, const PilotE
         for (double& current : run.currents_A) {
             current *= sign;
         }
-        run.text = "spins fast for the angle error";
+        run.text = "turning fast (angle error)";
         runs.push_back(std::move(run));
     }
     return runs;

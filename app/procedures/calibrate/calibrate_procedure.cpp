@@ -14,7 +14,7 @@ namespace {
 
 Result<void> checkConfig(const CalibrateConfig& config) {
     if (config.which.empty()) {
-        return failure(ErrorCode::Usage, "no calibration was chosen",
+        return failure(ErrorCode::Usage, "no calibration selected",
                        "choose hall, stray, static-friction or all");
     }
     const double largest = std::max({std::fabs(config.spinCurrent_A), std::fabs(config.strayCurrent_A),
@@ -143,11 +143,20 @@ Result<CalibrateResult> runCalibrate(devices::Device& device, const CalibrateCon
     if (auto offered = checkProcedureOffered(device.catalogue(), "calibrate"); !offered) {
         return failure(offered.error());
     }
-    if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
-        return failure(entered.error());
+    if (auto turns = checkTurnsForever(device.catalogue()); !turns) {
+        return failure(turns.error());
     }
     if (auto checked = checkConfig(config); !checked) {
         return failure(checked.error());
+    }
+    return guardedCalibration(device, config, observer, measure);
+}
+
+Result<CalibrateResult> guardedCalibration(devices::Device& device, const CalibrateConfig& config,
+                                           const ProcedureObserver& observer,
+                                           CalibrationMeasurement measureIt) {
+    if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
+        return failure(entered.error());
     }
     auto guard = RestoreGuard::take(device);
     if (!guard) {
@@ -155,7 +164,7 @@ Result<CalibrateResult> runCalibrate(devices::Device& device, const CalibrateCon
     }
     CalibrateResult result;
     const double start_s = device.clock().now_s();
-    const auto measured = restoredResult(*guard, measure(device, config, observer, result));
+    const auto measured = restoredResult(*guard, measureIt(device, config, observer, result));
     if (!measured) {
         (void)enterState(observer, ProcedureState::Restored);
         return failure(measured.error());

@@ -41,7 +41,7 @@ struct StaticFrictionPoint {
     double current_A = 0.0; ///< at the first motion, signed
 };
 
-/// What the two Hall sensors read in slow motion, without the field of the phase currents.
+/// Reading of the two Hall sensors in slow motion, without the field of the phase currents.
 struct HallPoint {
     double a_T = 0.0;
     double b_T = 0.0;
@@ -67,8 +67,18 @@ struct CalibrateResult {
 Result<CalibrateResult> runCalibrate(devices::Device& device, const CalibrateConfig& config,
                                      const ProcedureObserver& observer);
 
-/// What the chosen calibrations will do, before anything is armed (also for `run --dry-run`), for a motor
-/// with the published constants.
+/// The measuring part of a calibration: figures, findings and proposed values into `result`.
+using CalibrationMeasurement = Result<void> (*)(devices::Device& device, const CalibrateConfig& config,
+                                                const ProcedureObserver& observer, CalibrateResult& result);
+
+/// Run of any calibration around its measurement: measures with the board's parameters kept, reads what the
+/// proposed values replace, and with `apply` writes them in one transaction, read back. Errors: as
+/// runCalibrate().
+Result<CalibrateResult> guardedCalibration(devices::Device& device, const CalibrateConfig& config,
+                                           const ProcedureObserver& observer, CalibrationMeasurement measure);
+
+/// Duration, current and travel of the chosen calibrations, before anything is armed (also for `run
+/// --dry-run`), for a motor with the published constants.
 struct CalibratePrediction {
     double duration_s = 0.0;
     double peakCurrent_A = 0.0;

@@ -80,12 +80,12 @@ Result<void> nudge(devices::Device& device, const CalibrateConfig& config,
         if (watch.travel_rad() > standstill::PushEnd_rad) {
             break;
         }
-        if (auto driven =
-                drive(device, listening,
-                      {{"reference.shape", ShapeStep},
-                       {"reference.amplitude", config.frictionCurrent_A},
-                       {"reference.duration", push_s}},
-                      devices::BoardMode::Current, push_s + standstill::PushRest_s, "turns to another angle");
+        if (auto driven = drive(device, listening,
+                                {{"reference.shape", ShapeStep},
+                                 {"reference.amplitude", config.frictionCurrent_A},
+                                 {"reference.duration", push_s}},
+                                devices::BoardMode::Current, push_s + standstill::PushRest_s,
+                                "turning to the next angle");
             !driven) {
             return failure(recorder.causeOf(driven.error()));
         }
@@ -150,8 +150,8 @@ Result<Recording> recordAt(devices::Device& device, const CalibrateConfig& confi
         !started) {
         return failure(started.error());
     }
-    if (auto driven =
-            drive(device, observer, values, devices::BoardMode::DAxis, duration_s, "d-axis current at rest");
+    if (auto driven = drive(device, observer, values, devices::BoardMode::DAxis, duration_s,
+                            "d-axis current at standstill");
         !driven) {
         return failure(recorder.causeOf(driven.error()));
     }
@@ -177,13 +177,13 @@ Result<Recording> rampOnce(devices::Device& device, const CalibrateConfig& confi
                              {"reference.amplitude", end_A},
                              {"reference.rate", std::copysign(RampRate_A_per_s, end_A)},
                              {"reference.duration", duration_s}},
-                            devices::BoardMode::Current, 0.1, "ramps the current from rest");
+                            devices::BoardMode::Current, 0.1, "current ramp from rest");
         !driven) {
         return failure(recorder.causeOf(driven.error()));
     }
     for (double passed_s = 0.1; passed_s < duration_s && watch.travel_rad() < standstill::RampEnd_rad;
          passed_s += 0.05) {
-        if (auto waited = waitObserved(device, listening, 0.05, 0.0, 1.0, "ramps the current from rest");
+        if (auto waited = waitObserved(device, listening, 0.05, 0.0, 1.0, "current ramp from rest");
             !waited) {
             return failure(recorder.causeOf(waited.error()));
         }
@@ -282,8 +282,7 @@ Result<void> calibrateStaticFriction(devices::Device& device, const CalibrateCon
     constexpr std::size_t FewestStarts = 3;
     if (result.staticFriction.size() < FewestStarts) {
         refuse(result, "static_friction_not_found",
-               Error{ErrorCode::Refused, "the rotor broke loose in too few of the ramps",
-                     "ramp to a higher current"});
+               Error{ErrorCode::Refused, "the rotor broke away in too few ramps", "use a higher current"});
         return {};
     }
     addStaticFriction(result);

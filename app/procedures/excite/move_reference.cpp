@@ -1,5 +1,7 @@
 #include "app/procedures/excite/move_reference.h"
 
+#include "app/procedures/excite/move_reference_keys.h"
+#include "app/procedures/excite/travel_reference.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -12,118 +14,14 @@
 namespace halbench::app {
 namespace {
 
-constexpr std::array<std::string_view, 6> ShapeNames = {"step",      "ramp",  "sine",
-                                                        "staircase", "chirp", "multisine"};
-
-// What the board's generator takes; resources/help/protocol.md 3.15.
-constexpr double LargestAngle_rad = 10000.0;
-constexpr double LargestSpeed_rad_s = 1000.0;
-constexpr double LargestLength_m = 1000.0;
-constexpr double LargestSpeed_m_s = 1000.0;
-constexpr double LargestFrequency_Hz = 200.0;
-
+using enum MoveReference::Shape;
 using Quantity = MoveReference::Quantity;
 
-struct Key {
-    MoveReferenceKey text;
-    double min;
-    double max;
-    bool isWhole;
-    void (*set)(MoveReference&, double);
-    double perUnit = 1.0; ///< what is set for a value of one
-    Quantity quantity = Quantity::Unknown;
-};
-
-void setAmplitude(MoveReference& reference, double amplitude) {
-    reference.amplitude = amplitude;
-}
-
-void setRate(MoveReference& reference, double rate) {
-    reference.rate = rate;
-}
-
-void setBase(MoveReference& reference, double base) {
-    reference.base = base;
-}
-
-void setPeriod(MoveReference& reference, double period_s) {
-    reference.period_s = period_s;
-    if (reference.shape == MoveReference::Shape::Sine) {
-        reference.frequency_Hz = 1.0 / period_s;
-    }
-}
-
-constexpr double Degree_rad = Pi / 180.0;
-
-constexpr Key amplitudeKey(std::string_view key, std::string_view help, Quantity quantity, double perUnit) {
-    const double largest = (quantity == Quantity::Angle ? LargestAngle_rad : LargestLength_m) / perUnit;
-    return {{key, help}, -largest, largest, false, setAmplitude, perUnit, quantity};
-}
-
-constexpr Key speedKey(std::string_view key, std::string_view help, Quantity quantity, double perUnit,
-                       void (*set)(MoveReference&, double)) {
-    const double largest = (quantity == Quantity::Angle ? LargestSpeed_rad_s : LargestSpeed_m_s) / perUnit;
-    return {{key, help}, -largest, largest, false, set, perUnit, quantity};
-}
-
-const std::array Keys = {
-    amplitudeKey("amplitude_deg",
-                 "height of the step or of one stair, amplitude of sine and chirp, rms of a multisine",
-                 Quantity::Angle, Degree_rad),
-    amplitudeKey("amplitude_rad", "the same in radians", Quantity::Angle, 1.0),
-    amplitudeKey("amplitude_mrad", "the same in milliradians", Quantity::Angle, 1e-3),
-    amplitudeKey("amplitude_urad", "the same in microradians", Quantity::Angle, 1e-6),
-    amplitudeKey("amplitude_m", "the same of an axis that moves along a line", Quantity::Length, 1.0),
-    amplitudeKey("amplitude_mm", "the same in millimetres", Quantity::Length, 1e-3),
-    amplitudeKey("amplitude_um", "the same in micrometres", Quantity::Length, 1e-6),
-    speedKey("rate_deg_s", "slope of a ramp", Quantity::Angle, Degree_rad, setRate),
-    speedKey("rate_rad_s", "the same in radians", Quantity::Angle, 1.0, setRate),
-    speedKey("rate_mrad_s", "the same in milliradians", Quantity::Angle, 1e-3, setRate),
-    speedKey("rate_urad_s", "the same in microradians", Quantity::Angle, 1e-6, setRate),
-    speedKey("rate_m_s", "the same of an axis that moves along a line", Quantity::Length, 1.0, setRate),
-    speedKey("rate_mm_s", "the same in millimetres", Quantity::Length, 1e-3, setRate),
-    speedKey("rate_um_s", "the same in micrometres", Quantity::Length, 1e-6, setRate),
-    Key{{"frequency_hz", "of a sine; the first one of chirp and multisine"},
-        0.0,
-        LargestFrequency_Hz,
-        false,
-        [](MoveReference& r, double v) { r.frequency_Hz = v; }},
-    Key{{"frequency_end_hz", "the last one of chirp and multisine"},
-        0.0,
-        LargestFrequency_Hz,
-        false,
-        [](MoveReference& r, double v) { r.frequencyEnd_Hz = v; }},
-    Key{{"period_s", "of a sine: 1/frequency; of a staircase: time of one step"},
-        0.005,
-        3600.0,
-        false,
-        setPeriod},
-    Key{{"count", "steps of a staircase, lines of a multisine"},
-        1.0,
-        1000.0,
-        true,
-        [](MoveReference& r, double v) { r.count = static_cast<int>(v); }},
-    speedKey("base_deg_s", "constant motion added", Quantity::Angle, Degree_rad, setBase),
-    speedKey("base_rad_s", "the same in radians", Quantity::Angle, 1.0, setBase),
-    speedKey("base_mrad_s", "the same in milliradians", Quantity::Angle, 1e-3, setBase),
-    speedKey("base_urad_s", "the same in microradians", Quantity::Angle, 1e-6, setBase),
-    speedKey("base_m_s", "the same of an axis that moves along a line", Quantity::Length, 1.0, setBase),
-    speedKey("base_mm_s", "the same in millimetres", Quantity::Length, 1e-3, setBase),
-    speedKey("base_um_s", "the same in micrometres", Quantity::Length, 1e-6, setBase),
-    Key{{"seed", "phases of a multisine; 0: those of least peak"},
-        0.0,
-        4294967295.0,
-        true,
-        [](MoveReference& r, double v) { r.seed = static_cast<std::uint32_t>(v); }},
-};
-
-std::string knownKeys() {
-    std::string keys;
-    for (const Key& key : Keys) {
-        keys += (keys.empty() ? "" : ", ") + std::string(key.text.key);
-    }
-    return keys;
-}
+constexpr std::array<std::string_view, 11> ShapeNames = {"step",   "ramp",      "sine",      "staircase",
+                                                         "chirp",  "multisine", "trapezoid", "s-curve",
+                                                         "circle", "raster",    "rest"};
+constexpr std::array<MoveReference::Shape, ShapeNames.size()> Shapes = {
+    Step, Ramp, Sine, Staircase, Chirp, Multisine, Trapezoid, SCurve, Circle, Raster, Rest};
 
 Result<void> need(bool isThere, MoveReference::Shape shape, const char* key) {
     if (isThere) {
@@ -136,8 +34,9 @@ Result<void> need(bool isThere, MoveReference::Shape shape, const char* key) {
 Result<void> applyPair(MoveReference& reference, std::string_view pair) {
     const std::size_t equals = pair.find('=');
     if (equals == std::string_view::npos || equals == 0 || equals + 1 == pair.size()) {
-        return failure(ErrorCode::InvalidInput, fmt::format("'{}' is not KEY=VALUE", pair),
-                       "Write a reference like step,amplitude_deg=100. Known keys: " + knownKeys() + ".");
+        return failure(
+            ErrorCode::InvalidInput, fmt::format("'{}' is not KEY=VALUE", pair),
+            "Write a reference like step,amplitude_deg=100. Known keys: " + moveReferenceKeyNames() + ".");
     }
     const std::string_view text = pair.substr(equals + 1);
     double value = 0.0;
@@ -152,21 +51,13 @@ Result<void> applyPair(MoveReference& reference, std::string_view pair) {
 
 } // namespace
 
-std::span<const MoveReferenceKey> moveReferenceKeys() {
-    static const auto texts = [] {
-        std::array<MoveReferenceKey, Keys.size()> all;
-        std::transform(Keys.begin(), Keys.end(), all.begin(), [](const Key& key) { return key.text; });
-        return all;
-    }();
-    return texts;
-}
-
 std::span<const std::string_view> moveShapeNames() {
     return ShapeNames;
 }
 
 std::string_view moveShapeName(MoveReference::Shape shape) {
-    return ShapeNames[static_cast<std::size_t>(shape) - 1];
+    return ShapeNames[static_cast<std::size_t>(std::find(Shapes.begin(), Shapes.end(), shape) -
+                                               Shapes.begin())];
 }
 
 Result<MoveReference::Shape> moveShape(std::string_view name) {
@@ -175,34 +66,7 @@ Result<MoveReference::Shape> moveShape(std::string_view name) {
         return failure(ErrorCode::UnknownName, fmt::format("there is no reference shape '{}'", name),
                        fmt::format("Known shapes: {}.", fmt::join(ShapeNames, ", ")));
     }
-    return static_cast<MoveReference::Shape>(found - ShapeNames.begin() + 1);
-}
-
-Result<void> setMoveReference(MoveReference& reference, std::string_view name, double value) {
-    const auto key = std::find_if(Keys.begin(), Keys.end(), [&](const Key& k) { return k.text.key == name; });
-    if (key == Keys.end()) {
-        return failure(ErrorCode::UnknownName, fmt::format("a reference has no key '{}'", name),
-                       "Known keys: " + knownKeys() + ".");
-    }
-    if (!std::isfinite(value)) {
-        return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", name),
-                       fmt::format("Allowed: {} to {}.", key->min, key->max));
-    }
-    if (value < key->min || value > key->max || (key->isWhole && value != std::floor(value))) {
-        return failure(
-            ErrorCode::OutOfRange, fmt::format("{} = {} is out of range", name, value),
-            fmt::format("Allowed: {} to {}{}.", key->min, key->max, key->isWhole ? ", whole numbers" : ""));
-    }
-    if (key->quantity != Quantity::Unknown) {
-        if (reference.quantity != Quantity::Unknown && reference.quantity != key->quantity) {
-            return failure(ErrorCode::InvalidInput,
-                           fmt::format("{} does not go with the other keys: a length beside an angle", name),
-                           "Give the whole reference in angles or in lengths.");
-        }
-        reference.quantity = key->quantity;
-    }
-    key->set(reference, value * key->perUnit);
-    return {};
+    return Shapes[static_cast<std::size_t>(found - ShapeNames.begin())];
 }
 
 Result<MoveReference> parseMoveReference(const std::string& text) {
@@ -258,6 +122,13 @@ Result<void> checkMoveReference(const MoveReference& reference) {
             return first;
         }
         return need(reference.frequencyEnd_Hz > 0.0, reference.shape, "frequency_end_hz");
+    case Shape::Trapezoid:
+    case Shape::SCurve:
+    case Shape::Circle:
+    case Shape::Raster:
+        return checkTravel(reference);
+    case Shape::Rest:
+        break;
     }
     return {};
 }
@@ -269,9 +140,8 @@ Result<void> checkQuantity(const MoveReference& reference, const devices::AxisSp
         return {};
     }
     return failure(ErrorCode::InvalidInput,
-                   isAngle
-                       ? fmt::format("axis {} turns, and the reference is a length", axis.id)
-                       : fmt::format("axis {} moves along a line, and the reference is an angle", axis.id),
+                   isAngle ? fmt::format("axis {} is rotary, but the reference is a length", axis.id)
+                           : fmt::format("axis {} is linear, but the reference is an angle", axis.id),
                    isAngle ? "Write it as an angle, e.g. amplitude_mrad=1 or amplitude_deg=1."
                            : "Write it as a length, e.g. amplitude_um=100 or amplitude_mm=1.");
 }
@@ -287,6 +157,8 @@ double referenceExcursion(const MoveReference& reference, double duration_s) {
             std::min(1.0 + std::floor(duration_s / reference.period_s), static_cast<double>(reference.count));
     } else if (reference.shape == Shape::Multisine) {
         excursion *= std::sqrt(2.0 * reference.count); // all lines at their peak together
+    } else if (isPath(reference)) {
+        return pathReach(reference);
     }
     return excursion + std::fabs(reference.base) * duration_s;
 }
@@ -308,8 +180,15 @@ std::optional<double> referenceAt(const MoveReference& reference, double time_s)
         const double steps = 1.0 + std::floor(time_s / reference.period_s + 1e-9);
         return reference.amplitude * std::min(steps, static_cast<double>(reference.count)) + base;
     }
+    case Shape::Trapezoid:
+    case Shape::SCurve:
+        return travelPointAt(reference, time_s);
+    case Shape::Rest:
+        return 0.0;
     case Shape::Chirp:
     case Shape::Multisine:
+    case Shape::Circle:
+    case Shape::Raster:
         break;
     }
     return std::nullopt;
@@ -321,16 +200,27 @@ std::vector<ParameterValue> generatorParameters(const MoveReference& reference, 
     const bool isSwept = reference.shape == Shape::Chirp || reference.shape == Shape::Multisine;
     // A second more, so that the generator does not end while the last samples are on their way.
     const double generator_s = isSwept ? duration_s : duration_s + 1.0;
-    return {{generator + ".shape", static_cast<double>(reference.shape)},
-            {generator + ".amplitude", reference.amplitude},
-            {generator + ".rate", reference.rate},
-            {generator + ".frequency", reference.frequency_Hz},
-            {generator + ".frequency_end", reference.frequencyEnd_Hz},
-            {generator + ".period", reference.period_s},
-            {generator + ".count", static_cast<double>(reference.count)},
-            {generator + ".duration", generator_s},
-            {generator + ".base", reference.base},
-            {generator + ".seed", static_cast<double>(reference.seed)}};
+    if (isPath(reference)) {
+        return pathParameters(reference);
+    }
+    const Shape shape = reference.shape == Shape::Rest ? Shape::Step : reference.shape; // of no height
+    std::vector<ParameterValue> values = {{generator + ".shape", static_cast<double>(shape)},
+                                          {generator + ".amplitude", reference.amplitude},
+                                          {generator + ".rate", reference.rate},
+                                          {generator + ".frequency", reference.frequency_Hz},
+                                          {generator + ".frequency_end", reference.frequencyEnd_Hz},
+                                          {generator + ".period", reference.period_s},
+                                          {generator + ".count", static_cast<double>(reference.count)},
+                                          {generator + ".duration", generator_s},
+                                          {generator + ".base", reference.base},
+                                          {generator + ".seed", static_cast<double>(reference.seed)}};
+    if (isTravel(reference)) {
+        values.push_back({generator + ".acceleration", reference.acceleration});
+        if (reference.shape == Shape::SCurve) {
+            values.push_back({generator + ".jerk", *reference.jerk});
+        }
+    }
+    return values;
 }
 
 std::optional<control::LoopReference> idealReference(const MoveReference& reference) {
@@ -355,6 +245,11 @@ std::optional<control::LoopReference> idealReference(const MoveReference& refere
         break;
     case Shape::Chirp:
     case Shape::Multisine:
+    case Shape::Trapezoid:
+    case Shape::SCurve:
+    case Shape::Circle:
+    case Shape::Raster:
+    case Shape::Rest:
         return std::nullopt;
     }
     return reference.base == 0.0 ? std::optional(ideal) : std::nullopt;

@@ -18,7 +18,7 @@ Result<void> checkFrequencyBoard(const devices::Catalogue& catalogue, const Freq
         catalogue.findParameter("reference.frequency_end") != nullptr) {
         return {};
     }
-    return failure(ErrorCode::DeviceRefused, "the generator of this board makes neither multisine nor chirp",
+    return failure(ErrorCode::DeviceRefused, "the generator of this device has neither multisine nor chirp",
                    "use a stepped sine");
 }
 
@@ -45,7 +45,7 @@ Result<FrequencyMargins> readFrequencyMargins(devices::Device& device) {
         }
         if (form->front() != 0.0) {
             return failure(ErrorCode::Refused,
-                           "the board runs the printed difference equation, which is no set of gains",
+                           "the device uses the printed difference equation, which has no gains",
                            "set control.law=0 first; nothing was armed");
         }
     }

@@ -40,11 +40,10 @@ Result<void> checkRows(const FrequencyRun& run, double at_Hz, std::size_t first,
     const double expected_s = static_cast<double>(rows - 1) * run.margins.period_s;
     if (first + rows > time_s.size() ||
         std::abs(time_s[first + rows - 1] - time_s[first] - expected_s) > 0.5 * run.margins.period_s) {
-        return failure(
-            withCause({ErrorCode::Refused,
-                       fmt::format("rows are missing near {} Hz: the periods do not fit together", at_Hz),
-                       "measure again"},
-                      run.rowLoss));
+        return failure(withCause(
+            {ErrorCode::Refused,
+             fmt::format("rows missing near {} Hz: the periods are not consistent", at_Hz), "measure again"},
+            run.rowLoss));
     }
     return {};
 }
@@ -140,8 +139,8 @@ std::optional<control::FrequencyFit> fitOf(const std::vector<control::PlantPoint
     std::vector<control::PlantPoint> used;
     std::copy_if(points.begin(), points.end(), std::back_inserter(used),
                  [&run](const control::PlantPoint& point) { return isCoherent(point, run.config); });
-    auto fit = control::fitHeldRotor(used, run.margins.period_s, run.config.actuatorLag_s,
-                                     run.config.gainError_ratio);
+    auto fit = control::fitSampledPlant(used, run.margins.period_s, run.config.actuatorLag_s,
+                                        run.config.gainError_ratio);
     if (fit && fit->dampingRate.interval95 && !isClearlyNegative(fit->dampingRate, lowestOf(points))) {
         // No rotor has less than no damping: what the points cannot tell from zero begins there.
         auto& [low, high] = *fit->dampingRate.interval95;
@@ -159,14 +158,12 @@ void judgeRotor(DataQuality& quality, const control::FrequencyFit& fit, double l
     if (!(*fit.accelerationGain.value > 0.0)) {
         quality.verdict = Verdict::Refused;
         quality.findings.push_back({"sign_reversed",
-                                    "wrong sign of current or angle: the current accelerates the rotor "
-                                    "backwards, its torque constant "
-                                    "would be negative",
-                                    "turn the sign of one of the two on the board and measure again"});
+                                    "wrong sign of current or angle: negative torque constant",
+                                    "invert one of the two signs on the device, then measure again"});
     } else if (gain95 && !(gain95->first > 0.0)) {
         quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
-        quality.findings.push_back({"interval_reaches_zero", "the interval of phi/J reaches zero",
-                                    "measure more periods or with a larger amplitude"});
+        quality.findings.push_back({"interval_reaches_zero", "the interval of phi/J includes zero",
+                                    "use more periods or a larger amplitude"});
     }
     if (!damping95 || damping95->first > 0.0) {
         return;
@@ -174,16 +171,16 @@ void judgeRotor(DataQuality& quality, const control::FrequencyFit& fit, double l
     const double most_ratio = damping95->second / lowest_rad_s;
     if (isClearlyNegative(fit.dampingRate, lowest_rad_s)) {
         quality.verdict = Verdict::Refused;
-        quality.findings.push_back({"damping_below_zero", "a damping below zero came out, which no motor has",
-                                    "check the delay of the loop, and that nothing else drives the rotor"});
+        quality.findings.push_back({"damping_below_zero", "negative damping, not possible for a motor",
+                                    "check the loop delay and that nothing else drives the rotor"});
     } else if (most_ratio > Notable_ratio) {
         quality.verdict = std::max(quality.verdict, Verdict::Doubtful);
         quality.findings.push_back(
             {"damping_below_zero",
              fmt::format(
-                 "damping is undecided: between zero and {:.2g} % of the torque at the lowest frequency",
+                 "damping undetermined: between zero and {:.2g} % of the torque at the lowest frequency",
                  100.0 * most_ratio),
-             "measure from a lower frequency, more periods or with a larger amplitude"});
+             "use a lower start frequency, more periods or a larger amplitude"});
     }
 }
 
@@ -235,19 +232,18 @@ struct MarginWords {
 
 constexpr MarginWords PhaseWords = {
     "phase_margin_withheld",
-    "no phase margin: the loop crosses nowhere on the frequencies that are used",
-    "no phase margin: the loop crosses where frequencies were left out or are far apart",
-    "no phase margin: it lies between {:.3g} and {:.3g} deg, known to {:.2g} at best",
-    "no phase margin: where the loop crosses its phase is not bounded at all",
-    "{:.2g} deg are allowed: measure more periods, and calibrate the sensors' gain and the stray field "
-    "first"};
+    "no phase margin: no gain crossover among the valid frequencies",
+    "no phase margin: gain crossover in a range without valid frequencies",
+    "no phase margin: between {:.3g} and {:.3g} deg, uncertainty at best {:.2g}",
+    "no phase margin: the phase at the gain crossover is completely uncertain",
+    "allowed: {:.2g} deg; use more periods, and calibrate the sensor gains and the stray field first"};
 constexpr MarginWords GainWords = {
     "gain_margin_withheld",
-    "no gain margin: the loop crosses nowhere on the frequencies that are used",
-    "no gain margin: the loop crosses where frequencies were left out or are far apart",
-    "no gain margin: it lies between {:.3g} and {:.3g} dB, known to {:.2g} at best",
-    "no gain margin: where the loop crosses its magnitude is not bounded at all",
-    "{:.2g} dB are allowed: measure more periods, and calibrate the sensors' gain and the stray field first"};
+    "no gain margin: no phase crossover among the valid frequencies",
+    "no gain margin: phase crossover in a range without valid frequencies",
+    "no gain margin: between {:.3g} and {:.3g} dB, uncertainty at best {:.2g}",
+    "no gain margin: the magnitude at the phase crossover is completely uncertain",
+    "allowed: {:.2g} dB; use more periods, and calibrate the sensor gains and the stray field first"};
 
 void addWithheld(DataQuality& quality, const MeasuredMargin& margin, const MarginWords& words,
                  double tolerance) {
@@ -256,11 +252,10 @@ void addWithheld(DataQuality& quality, const MeasuredMargin& margin, const Margi
         return;
     case MeasuredMargin::Withheld::NoCrossing:
         quality.findings.push_back(
-            {words.code, words.noCrossing, "measure up to a higher, or from a lower frequency"});
+            {words.code, words.noCrossing, "use a higher end frequency, or a lower start frequency"});
         return;
     case MeasuredMargin::Withheld::Gap:
-        quality.findings.push_back(
-            {words.code, words.gap, "measure with more periods or a larger amplitude there"});
+        quality.findings.push_back({words.code, words.gap, "use more periods or a larger amplitude there"});
         return;
     case MeasuredMargin::Withheld::Uncertain: {
         const auto [low, high] = *margin.interval;
@@ -284,18 +279,17 @@ void addUseFindings(DataQuality& quality, const FrequencyResult& result) {
     if (used < count) {
         quality.findings.push_back(
             {"incoherent_points",
-             fmt::format("{} of {} frequencies have a coherence below {:.3g} and were left out", count - used,
+             fmt::format("{} of {} frequencies have a coherence below {:.3g} and were excluded", count - used,
                          count, result.config.leastCoherence),
-             "measure more periods or with a larger amplitude"});
+             "use more periods or a larger amplitude"});
     }
     constexpr double Share = 0.999; // of the limit: the command is rounded
     if (result.highestCurrent_A >= Share * result.law.limit_A) {
-        quality.findings.push_back(
-            {"current_limit_reached",
-             fmt::format("the current reached its limit of {:.3g} A: the plant is right, the closed loop was "
-                         "not linear",
-                         result.law.limit_A),
-             "use a smaller amplitude"});
+        quality.findings.push_back({"current_limit_reached",
+                                    fmt::format("the current reached its limit of {:.3g} A: the plant is "
+                                                "valid, the closed loop was not linear",
+                                                result.law.limit_A),
+                                    "use a smaller amplitude"});
     }
 }
 
@@ -337,12 +331,12 @@ DataQuality judgeFrequency(const FrequencyResult& result) {
     if (result.wasStrayUncompensated) {
         quality.findings.push_back(
             {"stray_field_was_off",
-             "the stray field was compensated for the measurement; on the board it is not",
-             "switch stray.enabled on: the loop that was measured is the one with it"});
+             "stray-field compensation was on during the measurement, but is off on the device",
+             "switch stray.enabled on: the measured loop includes it"});
     }
     if (!result.fit && quality.verdict != Verdict::Refused) {
         quality.verdict = Verdict::Doubtful;
-        quality.findings.push_back({"no_rotor_fit", "the points do not decide the constants of a rotor",
+        quality.findings.push_back({"no_rotor_fit", "the points do not determine the constants of a rotor",
                                     "measure more frequencies, from 0.5 Hz or lower"});
     }
     if (result.fit) {
@@ -356,9 +350,9 @@ DataQuality judgeFrequency(const FrequencyResult& result) {
     if (result.fit && result.fit->misfit_ratio > NotableMisfit_ratio) {
         quality.findings.push_back(
             {"rotor_misfit",
-             fmt::format("the points lie {:.2g} times farther from the fitted rotor than they scatter",
+             fmt::format("distance of the points from the fitted rotor: {:.2g} times their scatter",
                          result.fit->misfit_ratio),
-             "its intervals are widened by that; look for a resonance or an angle error that turns with it"});
+             "the intervals are widened by this factor; check for a resonance or an angle error"});
     }
     return quality;
 }

@@ -1,7 +1,7 @@
 #include "app/procedures/frequency/frequency_plan.h"
 
 #include "app/procedures/base/checked_range.h"
-#include "control/assess/shaped_loop.h"
+#include "control/assess/filtered_loop.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -41,7 +41,7 @@ Result<void> checkConfig(const FrequencyConfig& config, double period_s) {
     valid =
         valid ? checkRange("highest frequency in Hz", config.to_Hz, 1.5 * config.from_Hz, highest_Hz) : valid;
     valid = valid ? checkRange("number of periods", config.periods, 4, 64) : valid;
-    valid = valid ? checkRange("least coherence", config.leastCoherence, 0.5, 0.999) : valid;
+    valid = valid ? checkRange("minimum coherence", config.leastCoherence, 0.5, 0.999) : valid;
     valid = valid ? checkRange("amplitude in rad", config.amplitude_rad.value_or(0.01), 1e-5, 1.0) : valid;
     if (!valid) {
         return valid;
@@ -50,9 +50,9 @@ Result<void> checkConfig(const FrequencyConfig& config, double period_s) {
     if (speed_rad_s < SlowestBase_rad_s) {
         return failure(
             ErrorCode::OutOfRange,
-            fmt::format("a base speed of {:.3g} rad/s is too slow: friction is a plain offset only "
-                        "while the rotor turns",
-                        config.base_rad_s),
+            fmt::format(
+                "a base speed of {:.3g} rad/s is too low: friction is a constant offset only during rotation",
+                config.base_rad_s),
             fmt::format("use at least {} rad/s in either direction", SlowestBase_rad_s));
     }
     return checkRange("base speed in rad/s", speed_rad_s, SlowestBase_rad_s, fastestBase_rad_s(config));
@@ -70,13 +70,11 @@ Result<double> spreadSpeed_rad_s(double wanted_rad_s, double period_s, double mo
             return std::copysign(speed_rad_s, wanted_rad_s);
         }
     }
-    return failure(
-        ErrorCode::OutOfRange,
-        fmt::format(
-            "no base speed from {} to {:.3g} rad/s keeps the turn's harmonics off the lines: a period "
-            "lasts only {:.3g} s",
-            SlowestBase_rad_s, most_rad_s, period_s),
-        "use a lower lowest frequency, which makes the period longer");
+    return failure(ErrorCode::OutOfRange,
+                   fmt::format("no base speed from {} to {:.3g} rad/s separates the harmonics of the "
+                               "rotation from the lines: a period is only {:.3g} s",
+                               SlowestBase_rad_s, most_rad_s, period_s),
+                   "use a smaller lowest frequency; the period becomes longer");
 }
 
 std::vector<int> bandLines(int from, int to) {
@@ -198,11 +196,11 @@ double restOf_s(const FrequencyMargins& margins) {
     constexpr double Shortest_s = 2.0;
     constexpr double Longest_s = 15.0;
     constexpr double Left_ratio = 0.002;
-    control::ShapedLaw law = control::shapedLaw(margins.law);
+    control::FilteredLaw law = control::filteredLaw(margins.law);
     law.gains.integral = 0.0;
     law.proportionalWeight = 1.0; // of the reference, not of the loop
     const control::LoopTiming timing{margins.period_s, margins.law.delaySamples};
-    const double radius = control::shapedPoleRadius(margins.plant, law, timing).value_or(1.0);
+    const double radius = control::filteredPoleRadius(margins.plant, law, timing).value_or(1.0);
     if (!(radius < 1.0)) {
         return Longest_s; // the run ends where the rotor comes near standstill
     }
@@ -229,13 +227,11 @@ Result<void> checkAmplitude(const FrequencyConfig& config, const std::vector<Ban
     }
     return failure(
         ErrorCode::OutOfRange,
+        fmt::format("an amplitude of {:.3g} deg changes the reference speed by {:.3g} rad/s at a base speed "
+                    "of {:.3g} rad/s: the speed would change its sign",
+                    radiansToDegrees(*config.amplitude_rad), swing_rad_s, speed_rad_s),
         fmt::format(
-            "an amplitude of {:.3g} deg swings the reference's speed by {:.3g} rad/s on a base of {:.3g} "
-            "rad/s: the total would change its sign and friction would be no offset",
-            radiansToDegrees(*config.amplitude_rad), swing_rad_s, speed_rad_s),
-        fmt::format(
-            "use at most {:.3g} deg, a faster base, fewer high frequencies, or leave the amplitude to the "
-            "program",
+            "use at most {:.3g} deg, a higher base speed or fewer high frequencies, or omit the amplitude",
             radiansToDegrees(Allowed * speed_rad_s / unit_rad_s)));
 }
 

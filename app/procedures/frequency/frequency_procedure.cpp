@@ -4,8 +4,8 @@
 #include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
+#include "app/procedures/excite/guarded_rotation.h"
 #include "app/procedures/excite/spin_drive.h"
-#include "app/procedures/excite/watched_turn.h"
 #include "app/procedures/frequency/frequency_board.h"
 #include "app/procedures/frequency/frequency_judge.h"
 
@@ -33,8 +33,8 @@ public:
         : m_device(device), m_outer(observer), m_plan(plan), m_run(run),
           m_turn(device, observer,
                  {plan.turn_rad_s, 0.0,
-                  "use a smaller amplitude or a faster base; a loop that swings by itself needs gains with "
-                  "more damping first"}) {}
+                  "use a smaller amplitude or a higher base speed; if the loop oscillates by itself, use "
+                  "gains with more damping first"}) {}
 
     Result<void> drive() {
         Result<Recording> recording = m_turn.record(m_run.config.speedLimit_rad_s, m_run.margins.period_s,
@@ -52,7 +52,7 @@ private:
             return armed;
         }
         Result<void> done = startStage(m_device, turning(), m_plan.runUp_s);
-        done = done ? wait(m_plan.runUp_s, "runs up") : done;
+        done = done ? wait(m_plan.runUp_s, "running up") : done;
         done = done ? enterState(m_outer, ProcedureState::Record) : done;
         m_turn.beginWatch();
         for (const FrequencyStage& stage : m_plan.stages) {
@@ -78,14 +78,14 @@ private:
                 measured.sweepRows.empty() ? std::size_t{0} : measured.sweepRows.back() + stage.rowsPerPeriod;
             measured.sweepRows.push_back(std::max(begin, m_turn.rows()));
             done = startStage(m_device, stage.reference, stage.sweep_s);
-            const auto text = fmt::format("sweeps from {:.3g} to {:.3g} Hz, {} of {}",
+            const auto text = fmt::format("sweep from {:.3g} to {:.3g} Hz, {} of {}",
                                           stage.reference.frequency_Hz, stage.to_Hz, i + 1, stage.sweeps);
             done = done ? wait(stage.sweep_s, text) : done;
             done = done ? startStage(m_device, turning(), stage.rest_s) : done;
             done = done ? wait(stage.rest_s, text) : done;
         }
         m_run.stages.push_back(std::move(measured));
-        return done ? wait(2.0 * OnTheWay_s, "waits for the last rows") : done;
+        return done ? wait(2.0 * OnTheWay_s, "waiting for the last rows") : done;
     }
 
     Result<void> excite(const FrequencyStage& stage) {
@@ -97,7 +97,7 @@ private:
             static_cast<std::size_t>(std::lround((stage.settle_s + OnTheWay_s) / m_run.margins.period_s));
         m_run.stages.push_back({stage, m_turn.rows() + settling, {}});
         return wait(duration_s + OnTheWay_s,
-                    fmt::format("excites from {:.3g} Hz", stage.reference.frequency_Hz));
+                    fmt::format("excitation from {:.3g} Hz", stage.reference.frequency_Hz));
     }
 
     Result<void> wait(double duration_s, const std::string& text) {
@@ -112,7 +112,7 @@ private:
     const ProcedureObserver& m_outer;
     const FrequencyPlan& m_plan;
     FrequencyRun& m_run;
-    WatchedTurn m_turn;
+    GuardedRotation m_turn;
     double m_done_s = 0.0;
 };
 
@@ -167,8 +167,8 @@ std::string_view excitationName(Excitation excitation) {
 Result<Excitation> excitation(std::string_view name) {
     const auto found = std::find(ExcitationNames.begin(), ExcitationNames.end(), name);
     if (found == ExcitationNames.end()) {
-        return failure(ErrorCode::UnknownName, fmt::format("there is no excitation '{}'", name),
-                       fmt::format("known: {}", fmt::join(ExcitationNames, ", ")));
+        return failure(ErrorCode::UnknownName, fmt::format("unknown excitation '{}'", name),
+                       fmt::format("available: {}", fmt::join(ExcitationNames, ", ")));
     }
     return static_cast<Excitation>(found - ExcitationNames.begin());
 }
@@ -178,6 +178,9 @@ Result<FrequencyResult> runFrequency(devices::Device& device, const FrequencyCon
                                      const ProcedureObserver& observer) {
     if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
         return failure(offered.error());
+    }
+    if (auto turns = checkTurnsForever(device.catalogue()); !turns) {
+        return failure(turns.error());
     }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());

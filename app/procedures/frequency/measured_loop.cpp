@@ -27,11 +27,10 @@ Result<MeasuredLoop> measuredLoop(const MeasuredPlant& plant, const control::Pid
                                   const control::LoopTiming& timing) {
     constexpr double Rounding_ratio = 1e-9;
     if (std::abs(plant.period_s - timing.period_s) > Rounding_ratio * timing.period_s) {
-        return failure(
-            ErrorCode::InvalidInput,
-            fmt::format("the response was measured every {:.4g} ms, this loop runs every {:.4g} ms",
-                        1e3 * plant.period_s, 1e3 * timing.period_s),
-            "measure it on this board");
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("sampling period of the response {:.4g} ms, of this loop {:.4g} ms",
+                                   1e3 * plant.period_s, 1e3 * timing.period_s),
+                       "measure the response on this device");
     }
     const auto controller = control::sampledController(gains, timing.period_s);
     if (!controller) {

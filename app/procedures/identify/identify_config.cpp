@@ -1,4 +1,5 @@
 #include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/base/doubtful_source.h"
 #include "app/procedures/identify/identify_plan.h"
 #include "app/procedures/identify/identify_procedure.h"
 
@@ -34,7 +35,7 @@ Result<void> setGivenConstant(control::GivenConstants& given, std::string_view s
         given.*known.place = value;
         return {};
     }
-    return failure(ErrorCode::UnknownName, fmt::format("'{}' is no constant of the motor", symbol),
+    return failure(ErrorCode::UnknownName, fmt::format("'{}' is not a constant of the motor", symbol),
                    "use J, c, Kf or phi");
 }
 
@@ -108,6 +109,7 @@ MotorEstimate motorEstimate(const IdentifyResult& result) {
     estimate.covarianceNames = result.covarianceNames;
     estimate.covariance = result.covariance;
     estimate.timing = result.timing;
+    estimate.doubts = doubtsOfModel(result.quality);
     return estimate;
 }
 

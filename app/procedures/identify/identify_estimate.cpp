@@ -1,11 +1,13 @@
 #include "app/procedures/identify/identify_estimate.h"
 
 #include "app/procedures/identify/identify_motion.h"
+#include "control/base/units.h"
 #include "control/identify/angle_column.h"
 #include "control/identify/motion_shape.h"
 #include "control/identify/plateau.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -48,15 +50,15 @@ Result<void> checkRows(const std::vector<double>& time_s) {
     const double period_s = usualPeriod_s(time_s);
     if (!(period_s * LowestRate_Hz <= 1.0)) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("the recording has {:.3g} rows a second, less than 100", 1.0 / period_s),
+                       fmt::format("the recording has {:.3g} rows per second, less than 100", 1.0 / period_s),
                        "record at 100 Hz or more");
     }
     const double expected = (time_s.back() - time_s.front()) / period_s + 1.0;
     const double lost_ratio = 1.0 - static_cast<double>(time_s.size()) / expected;
     if (!(lost_ratio <= MostLost_ratio)) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("{:.0f} % of the recording's rows are missing", 1e2 * lost_ratio),
-                       "record again; at most one row in ten may be lost");
+                       fmt::format("{:.0f} % of the rows of the recording are missing", 1e2 * lost_ratio),
+                       "record again; allowed loss: one row in ten");
     }
     return {};
 }
@@ -75,19 +77,29 @@ Result<void> checkUnits(const StreamLayout& layout) {
     return {};
 }
 
+std::string namesOf(const StreamLayout& layout) {
+    std::vector<std::string> names;
+    for (const StreamLayout::Column& column : layout.columns) {
+        names.push_back(column.name);
+    }
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 Result<Columns> takeColumns(const Recording& recording) {
     constexpr std::size_t FewestRows = 50;
     if (recording.rows() < FewestRows) {
-        return failure(ErrorCode::InvalidInput, "the recording holds hardly any rows",
-                       "record at least some seconds of motion");
+        return failure(ErrorCode::InvalidInput, "the recording has too few rows",
+                       "record at least several seconds of motion");
     }
     Columns columns;
     columns.angle_rad = firstColumn(recording, {"position", "position_rad"});
     columns.current_A = firstColumn(recording, {"current_command", "current_command_A"});
     columns.marker = firstColumn(recording, {"reference.segment", "reference_segment"});
     if (columns.angle_rad.empty() || columns.current_A.empty()) {
-        return failure(ErrorCode::InvalidInput, "the recording lacks position or current_command",
-                       "it needs the columns time_s, position_rad and current_command_A");
+        return failure(
+            ErrorCode::InvalidInput, "signals position or current_command missing in the recording",
+            fmt::format("required columns: time_s, position_rad and current_command_A; present: {}",
+                        namesOf(*recording.layout)));
     }
     if (Result<void> inSi = checkUnits(*recording.layout); !inSi) {
         return failure(inSi.error());
@@ -194,7 +206,7 @@ std::optional<SweepPoint> measurePlateau(std::span<const double> time_s, std::sp
         const auto settled = settledEnd(time_s, angle_rad, current_A, config, fits.motion->damping_per_s);
         if (settled && settled->isSteady) {
             end = settled;
-            point.note = "settling: the speed that it approaches";
+            point.note = "settling; final speed extrapolated";
         }
     }
     point.speed_rad_s = end->speed.speed_rad_s;
@@ -228,6 +240,22 @@ double lostSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point, double
     return gain * point.current_A * loss_s2 * point.speed_rad_s * point.speed_rad_s;
 }
 
+// What one sigma of the converters' bow does to a steady speed. The bow c sin(pi i/5 A) of each phase, c even
+// in
+// +-2 codes of 2.44 mA, makes the torque of (c_a + c_b) J1(pi I/5 A) over a turn
+// (resources/help/htm-theory.md sections 3.3 and 9).
+double bowedSpeed_rad_s(const IdentifyFits& fits, const SweepPoint& point) {
+    if (!fits.motion || !fits.balance || !(fits.motion->damping_per_s > 0.0)) {
+        return 0.0;
+    }
+    constexpr double Code_A = 10.0 / 4096.0;
+    constexpr double FullScale_A = 5.0;
+    const double bow_A = 2.0 * Code_A * std::sqrt(2.0 / 3.0);
+    const double share = std::cyl_bessel_j(1.0, Pi * std::fabs(point.current_A) / FullScale_A);
+    const double gain = fits.balance->torque_rad_s2_A.value_or(0.0) / fits.motion->damping_per_s;
+    return gain * bow_A * std::copysign(share, point.current_A);
+}
+
 Result<void> askedToEnd(const AbortCheck& check) {
     return check ? check() : Result<void>();
 }
@@ -258,7 +286,8 @@ Result<void> fitSteadySweep(const Recording& recording, const Columns& columns,
                  speed_rad_s + lostSpeed_rad_s(fits, *point, loss_s2) +
                      missingSpeed_rad_s(fits, *point, false),
                  error_rad_s,
-                 lostSpeed_rad_s(fits, *point, lossError_s2) + missingSpeed_rad_s(fits, *point, true)});
+                 lostSpeed_rad_s(fits, *point, lossError_s2) + missingSpeed_rad_s(fits, *point, true),
+                 bowedSpeed_rad_s(fits, *point)});
         }
     }
     auto sweep = control::fitFrictionSweep(steady, config.seed);
@@ -292,7 +321,7 @@ Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConf
     for (const double angle : columns->angle_rad) {
         if (!std::isfinite(angle)) {
             return failure(ErrorCode::NotFinite, "an angle of the recording is not a number",
-                           "cut the damaged rows out");
+                           "remove the damaged rows");
         }
     }
     IdentifyFits fits;

@@ -2,6 +2,7 @@
 
 #include "app/procedures/identify/identify_procedure.h"
 #include "control/identify/extra_force.h"
+#include "control/identify/torque_linearity.h"
 
 #include <optional>
 
@@ -18,6 +19,7 @@ struct MissingForces {
 struct IdentifyFits {
     std::optional<control::MotionFit> motion;
     std::optional<control::BalanceFit> balance;
+    std::optional<control::TorqueLinearity> linearity; ///< of the torque in the current
     MissingForces missing;
     double slowest_rad_s = 3.0; ///< of the motion that is fitted
     std::optional<control::FrictionSweep> sweep;

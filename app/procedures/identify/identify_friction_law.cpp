@@ -47,20 +47,17 @@ void addNotes(IdentifyResult& result, const std::string& name, const TermSize& s
 }
 
 void remarkBeyond(IdentifyResult& result, std::string message) {
-    remark(
-        result, "friction_beyond_model", std::move(message),
-        "the intervals do not hold that error: use the speeds that matter, warm the bearings up first, and "
-        "look at the residuals");
+    remark(result, "friction_beyond_model", std::move(message),
+           "the intervals do not include this error: use the relevant speeds, warm up the bearings first, "
+           "and check the residuals");
 }
 
 void remarkTerm(IdentifyResult& result, const ExtraForceTerm& term, double slowest_rad_s) {
     if (term.force == ExtraForce::QuadraticDrag && term.value > 0.0) {
         const TermSize size = sizeOf(result, term, 1.0, "N*m*s^2/rad^2", "1/rad");
         addNotes(result, "quadratic_drag", size);
-        remark(
-            result, "quadratic_drag",
-            fmt::format("drag grows with the square of the speed, by {}", size.text()),
-            "c, K_f and phi are those beside this term; the model that is used for tuning has no such drag");
+        remark(result, "quadratic_drag", fmt::format("quadratic drag of the speed, {}", size.text()),
+               "c, K_f and phi are given without this term; the tuning model has no quadratic drag");
     } else if (term.force == ExtraForce::Stribeck && term.value > 0.0) {
         const double there = -control::extraForceAtSpeed_rad_s2(term, slowest_rad_s, 0.0);
         const TermSize size = sizeOf(result, term, there, "N*m", "rad/s^2");
@@ -71,20 +68,18 @@ void remarkTerm(IdentifyResult& result, const ExtraForceTerm& term, double slowe
             fmt::format("friction falls with the speed (Stribeck): at {:.3g} rad/s it is higher by {}, above "
                         "about {:.2g} rad/s it is constant",
                         slowest_rad_s, size.text(), 2.0 * term.stribeckSpeed_rad_s),
-            "c, K_f and phi are those beside this term, at high speed; near standstill friction is higher");
+            "c, K_f and phi are valid at high speed without this term; near standstill friction is higher");
     } else if (term.force == ExtraForce::DampingByDirection) {
         remarkBeyond(result, "model inadequate: the damping differs between the directions");
     } else if (term.force == ExtraForce::DampingByCurrent) {
         remark(result, "stray_field_wrong",
-               "the damping changes with the current: the angle of the torque moves with it, as a wrong "
-               "compensation of the stray field moves it",
-               "phi is smaller than the true one by up to some per cent: calibrate the stray field, then "
-               "identify "
-               "again");
+               "damping changes with the current: the torque angle depends on it, typical for a wrong "
+               "stray-field compensation",
+               "phi is too small by up to a few per cent: calibrate the stray field, then identify again");
     } else if (term.force == ExtraForce::DampingDrift) {
-        remarkBeyond(result, "model inadequate: the damping changes in the course of the recording");
+        remarkBeyond(result, "model inadequate: the damping changes during the recording");
     } else {
-        remarkBeyond(result, "model inadequate: friction depends on the speed as no known law does");
+        remarkBeyond(result, "model inadequate: the speed dependence of friction follows no known law");
     }
 }
 
@@ -137,7 +132,7 @@ void judgeFrictionLaw(IdentifyResult& result, const IdentifyFits& fits) {
         remarkTerm(result, term, fits.slowest_rad_s);
     }
     if (!fits.missing.isAdequate) {
-        remarkBeyond(result, "model inadequate: friction depends on the speed as no known law does");
+        remarkBeyond(result, "model inadequate: the speed dependence of friction follows no known law");
     }
 }
 

@@ -1,6 +1,8 @@
 #include "app/procedures/identify/identify_estimate.h"
 #include "app/procedures/identify/identify_friction_law.h"
 #include "app/procedures/identify/identify_physics.h"
+#include "app/procedures/identify/identify_steady_line.h"
+#include "app/procedures/identify/identify_torque_law.h"
 #include "control/base/counted.h"
 #include "control/base/distributions.h"
 #include "control/identify/added_inertia.h"
@@ -22,8 +24,6 @@ constexpr double CurrentError_ratio = 1.5e-3;
 constexpr double MagnetTemperature_per_K = 1.2e-3;
 constexpr double ThermometerError_K = 1.0;
 constexpr double Improbable = 0.01;
-// Lack of fit, runs and agreement with the motion: three chances to be wrong once in a hundred.
-constexpr double ImprobableSweep = Improbable / 3.0;
 
 double torqueError_ratio(const IdentifyFits& fits) {
     const double away_K = std::fabs(fits.startTemperature_degC - 25.0);
@@ -81,7 +81,7 @@ void takeAsymmetry(IdentifyResult& result, const IdentifyFits& fits) {
     const double half = control::studentQuantile(0.975, freedom) * error;
     result.asymmetry = control::Estimate{*value, std::pair(*value - half, *value + half),
                                          control::EstimateSource::Identified, ""};
-    if (std::fabs(*value) > half) {
+    if (std::fabs(*value) > std::max(half, smallestAsymmetry(fits, CurrentError_ratio))) {
         remark(result.quality, Verdict::Good, "friction_asymmetry",
                fmt::format("friction differs between the directions by {:.1f} % of its mean",
                            200.0 * std::fabs(*value)),
@@ -92,15 +92,15 @@ void takeAsymmetry(IdentifyResult& result, const IdentifyFits& fits) {
 void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
     if (fits.stoppedPlateaus > 0) {
         remark(result.quality, Verdict::Good, "plateaus_stopped",
-               counted(fits.stoppedPlateaus, "one plateau came to rest and was left out",
-                       "{} plateaus came to rest and were left out"),
+               counted(fits.stoppedPlateaus, "one plateau came to rest and was excluded",
+                       "{} plateaus came to rest and were excluded"),
                "start the sweep further above the breakaway current");
     }
     if (fits.slowPlateaus > 0) {
         remark(result.quality, Verdict::Good, "plateaus_too_slow",
                counted(fits.slowPlateaus,
-                       "one plateau was too slow to tell friction from creep and was left out",
-                       "{} plateaus were too slow to tell friction from creep and were left out"),
+                       "one plateau was too slow to distinguish friction from creep and was excluded",
+                       "{} plateaus were too slow to distinguish friction from creep and were excluded"),
                "start the sweep further above the breakaway current");
     }
     if (fits.unsteadyPlateaus > 0) {
@@ -108,9 +108,9 @@ void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
         const bool areMany =
             static_cast<double>(fits.unsteadyPlateaus) > ManyOfThem * static_cast<double>(fits.points.size());
         remark(result.quality, areMany ? Verdict::Doubtful : Verdict::Good, "plateaus_not_steady",
-               counted(fits.unsteadyPlateaus, "one plateau was not steady at its end and left out",
-                       "{} plateaus were not steady at their end and left out"),
-               "dwell longer at each current");
+               counted(fits.unsteadyPlateaus, "one plateau was not steady at its end and was excluded",
+                       "{} plateaus were not steady at their end and were excluded"),
+               "use a longer time at each current");
     }
     if (fits.lostRows > 0) {
         remark(
@@ -125,8 +125,8 @@ void judgeAmount(IdentifyResult& result, const IdentifyFits& fits) {
     }
     if (fits.balance && fits.balance->isScatterAssumed) {
         remark(result.quality, Verdict::Doubtful, "friction_scatter_assumed",
-               "there are no more stretches of motion than unknowns: how much friction differs between them "
-               "is assumed, 3.3 % of its torque, and not measured",
+               "as many unknowns as segments: the friction scatter between segments is assumed (3.3 % of the "
+               "friction torque), not measured",
                "record more run-ups and coast-downs at different currents, in both directions");
     }
     if (!fits.balanceProblem.empty()) {
@@ -163,17 +163,15 @@ void judgeStretches(IdentifyResult& result, const IdentifyFits& fits) {
     const double ratio = worstStretch_ratio(*fits.motion);
     if (ratio > DamagedStretch_ratio) {
         remark(result.quality, Verdict::Refused, "stretch_damaged",
-               fmt::format("model inadequate: one stretch of motion lies {:.1f} times further off the model "
-                           "than most",
+               fmt::format("model inadequate: the residual of one segment is {:.1f} times larger than usual",
                            ratio),
                "check the link");
     } else if (ratio > InadequateStretch_ratio) {
-        remark(
-            result.quality, Verdict::Doubtful, "friction_depends_on_speed",
-            fmt::format("model inadequate: one stretch of motion lies {:.1f} times further off the model "
-                        "than most",
-                        ratio),
-            "friction may depend on speed: the intervals do not hold that error; use faster currents only");
+        remark(result.quality, Verdict::Doubtful, "friction_depends_on_speed",
+               fmt::format("model inadequate: the residual of one segment is {:.1f} times larger than usual",
+                           ratio),
+               "friction may depend on speed: the intervals do not include this error; use higher currents "
+               "only");
     }
 }
 
@@ -190,61 +188,10 @@ void judgeTorqueLoss(IdentifyResult& result, const IdentifyFits& fits) {
     const double loss_s2 = fits.motion->torqueLoss_s2;
     const double highest_s2 = loss_s2 + Significant * fits.motion->torqueLossError_s2;
     if (highest_s2 < 0.0 || loss_s2 > 0.5 * LargestLag_s * LargestLag_s) {
-        remark(
-            result.quality, Verdict::Doubtful, "torque_changes_with_speed",
-            "the torque changes with the speed as no lag of the currents explains: the angle of commutation "
-            "or the compensation of the stray field is wrong",
-            "calibrate the stray field and the Hall sensors, then identify again");
-    }
-}
-
-void judgeModel(IdentifyResult& result, const IdentifyFits& fits) {
-    if (!fits.sweep) {
-        return;
-    }
-    const control::FrictionSweep& sweep = *fits.sweep;
-    if (sweep.isRobustDifferent) {
-        remark(result.quality, Verdict::Doubtful, "outliers",
-               "ordinary and robust regression of the sweep differ by more than one standard error",
-               "look at the plateaus of low weight; repeat the sweep");
-    }
-    if (sweep.lackOfFit && sweep.lackOfFit->probability < ImprobableSweep) {
-        remark(result.quality, Verdict::Doubtful, "model_inadequate",
-               fmt::format("the sweep is not a straight line (lack of fit, p = {:.2g})",
-                           sweep.lackOfFit->probability),
-               "friction may depend on speed; use only the range of speeds that matters");
-    }
-    if (sweep.runs.probability < ImprobableSweep) {
-        remark(result.quality, Verdict::Doubtful, "residuals_in_runs",
-               fmt::format("residuals keep their sign over neighbouring speeds (runs test, p = {:.2g})",
-                           sweep.runs.probability),
-               "friction may depend on speed; look at the residuals");
-    }
-    constexpr double StrongInfluence = 2.5;
-    if (sweep.largestInfluence > StrongInfluence) {
-        remark(result.quality, Verdict::Doubtful, "one_point_decides",
-               fmt::format("leaving out one plateau moves the steady line by {:.1f} standard errors",
-                           sweep.largestInfluence),
-               "add plateaus near it or repeat it");
-    }
-}
-
-// Steady line against run-ups and coast-downs: the same c/phi must come out.
-void judgeAgreement(IdentifyResult& result, const IdentifyFits& fits) {
-    if (!fits.sweep || !fits.balance || !fits.balance->torque_rad_s2_A) {
-        return;
-    }
-    const double k = *fits.balance->torque_rad_s2_A;
-    const double joint = fits.motion->damping_per_s / k;
-    const double jointError = joint * std::sqrt(fits.balance->scatterCovariance(2, 2)) / k;
-    const double error = std::hypot(jointError, std::sqrt(fits.sweep->covariance(0, 0)));
-    const double probability =
-        control::studentTwoSided((fits.sweep->damping_A_s - joint) / error, fits.sweep->freedom);
-    if (probability < ImprobableSweep && std::fabs(fits.sweep->damping_A_s / joint - 1.0) > 0.01) {
-        remark(result.quality, Verdict::Doubtful, "steady_and_transient_disagree",
-               fmt::format("c/phi is {:.3g} A*s/rad from plateaus and {:.3g} from all motion (p = {:.2g})",
-                           fits.sweep->damping_A_s, joint, probability),
-               "friction may depend on speed");
+        remark(result.quality, Verdict::Doubtful, "torque_changes_with_speed",
+               "torque changes with speed more than current lag explains: commutation angle or stray-field "
+               "compensation is wrong",
+               "calibrate the stray field and the Hall sensors, then identify again");
     }
 }
 
@@ -253,19 +200,19 @@ void judgeGiven(IdentifyResult& result, const control::JointEstimate& joint, con
         remark(result.quality, Verdict::Doubtful, "given_constants_disagree",
                fmt::format("the given constants contradict the data (p = {:.2g})",
                            joint.consistency->probability),
-               "give only the constant that is known best");
+               "give only the best-known constant");
     }
     if (config.given.isEmpty() && !config.added) {
         remark(result.quality, Verdict::Good, "scale_not_given",
-               "only ratios of the constants can be known from angle and current",
+               "angle and current determine only ratios of the constants",
                "give the inertia (--given J=...) or the torque constant (--given phi=...), or repeat with a "
                "known inertia fixed to the rotor (--bare, --added-inertia)");
     } else if (!config.added) {
         for (const control::Estimate& estimate : joint.constants) {
             if (estimate.source == control::EstimateSource::NotIdentifiable) {
                 remark(result.quality, Verdict::Good, "not_all_identifiable",
-                       "the data and the given constants do not decide all four constants",
-                       "add what is missing: transients (run-up and coast-down), or another given constant");
+                       "data and given constants do not determine all four constants",
+                       "add transients (run-up and coast-down), or another given constant");
                 return;
             }
         }
@@ -330,8 +277,7 @@ void applyAdded(IdentifyResult& result, const AddedInertia& added) {
     const auto loaded = mountingOf(motorEstimate(result));
     if (!bare || !loaded) {
         remark(result.quality, Verdict::Refused, "added_inertia_without_ratios",
-               "both runs must decide c/J, K_f/J and phi/J with their covariance, and be made without given "
-               "constants",
+               "both runs must determine c/J, K_f/J and phi/J with covariance, without given constants",
                "identify the bare motor again without --given");
         return;
     }
@@ -343,10 +289,10 @@ void applyAdded(IdentifyResult& result, const AddedInertia& added) {
     }
     if (!estimate->usesDamping) {
         remark(result.quality, Verdict::Doubtful, "mounting_changed_friction",
-               fmt::format("damping tells another inertia ({:.1f} standard errors): the added part changed "
-                           "the friction",
+               fmt::format("the damping gives another inertia ({:.1f} standard errors): the added part "
+                           "changed the friction",
                            estimate->disagreement),
-               "only the torque constant was used");
+               "only the torque constant is used");
     }
     control::Estimate* const places[] = {&result.inertia, &result.viscousDamping, &result.coulombFriction,
                                          &result.torqueConstant};
@@ -408,6 +354,7 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
     auto ratios = ratiosOf(fits);
     if (ratios) {
         addLossAmbiguity(*ratios, fits);
+        addDepartureError(*ratios, fits);
     }
     control::JointEstimate joint = control::resolveConstants(
         ratios.value_or(control::MotorRatios{}), config.added ? control::GivenConstants{} : config.given);
@@ -420,15 +367,15 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
         remark(result.quality, Verdict::Refused, "nothing_identified",
                fmt::format("neither transients nor plateaus could be used: {}; {}", fits.motionProblem,
                            fits.sweepProblem),
-               "use currents well above the breakaway current and hold each for some seconds");
+               "use currents well above the breakaway current for several seconds each");
         return result;
     }
     takeAsymmetry(result, fits);
     judgeFrictionLaw(result, fits);
+    judgeTorqueLaw(result, fits);
     judgeStretches(result, fits);
     judgeTorqueLoss(result, fits);
-    judgeModel(result, fits);
-    judgeAgreement(result, fits);
+    judgeSteadyLine(result, fits);
     judgeGiven(result, joint, config);
     if (config.added) {
         applyAdded(result, *config.added);

@@ -56,11 +56,18 @@ bool areConstantsMoved(const control::MotionFit& motion, const control::BalanceF
                                  balance.torque_rad_s2_A.value_or(0.0));
     const Eigen::Vector3d others(otherMotion.damping_per_s, other.friction_rad_s2.value_or(0.0),
                                  other.torque_rad_s2_A.value_or(0.0));
+    // Without friction two per cent of it are nothing: it has to be seen beside the largest torque.
+    constexpr double Negligible_ratio = 1e-3;
+    double largest_rad_s2 = 0.0;
+    for (const control::SegmentBalance& segment : motion.balances) {
+        largest_rad_s2 = std::max(largest_rad_s2, std::fabs(segment.balance_rad_s2));
+    }
+    const Eigen::Vector3d negligible(0.0, Negligible_ratio * largest_rad_s2, 0.0);
     for (Eigen::Index i = 0; i < values.size(); ++i) {
         const double moved = std::fabs(others(i) - values(i));
         const double interval =
             std::max(2.0 * std::sqrt(covariance(i, i)), Small_ratio * std::fabs(values(i)));
-        if (moved > std::min(interval, Notable_ratio * std::fabs(values(i)))) {
+        if (moved > std::max(std::min(interval, Notable_ratio * std::fabs(values(i))), negligible(i))) {
             return true;
         }
     }
@@ -137,7 +144,7 @@ Result<void> fitTransients(std::span<const double> time_s, std::span<const doubl
     addOneWayError(*motion, config);
     constexpr double WorstDampingError = 0.25;
     if (!(motion->dampingError_per_s < WorstDampingError * std::fabs(motion->damping_per_s) + 0.02)) {
-        fits.motionProblem = "the motion does not bend enough to show c/J";
+        fits.motionProblem = "the curvature of the motion is too small to determine c/J";
         return {};
     }
     fits.motion = std::move(*motion);
@@ -147,7 +154,11 @@ Result<void> fitTransients(std::span<const double> time_s, std::span<const doubl
         return {};
     }
     fits.balance = std::move(*balance);
-    return takeMissingForces(segments, plain, motionConfig, config, fits);
+    if (auto goesOn = takeMissingForces(segments, plain, motionConfig, config, fits); !goesOn) {
+        return goesOn;
+    }
+    fits.linearity = control::testTorqueLinearity(*fits.motion, *fits.balance);
+    return {};
 }
 
 } // namespace halbench::app

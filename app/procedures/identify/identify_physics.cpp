@@ -44,9 +44,10 @@ void refuse(IdentifyResult& result, Finding finding) {
 }
 
 void refuseSign(IdentifyResult& result, std::string shown) {
-    refuse(result, {"sign_reversed", "wrong sign of current or angle: " + shown,
-                    "turn the sign of one of the two columns (or of the command on the board) and identify "
-                    "again"});
+    refuse(
+        result,
+        {"sign_reversed", "wrong sign of current or angle: " + shown,
+         "invert the sign of one of the two columns (or of the command on the device), then identify again"});
 }
 
 // Estimates of one constant: its own and its ratios over something positive.
@@ -127,12 +128,12 @@ struct LossWords {
     const char* undecided;
 };
 
-constexpr LossWords FrictionWords{"friction_below_zero", "a friction below zero came out, which no motor has",
-                                  "friction cannot be told from zero: it is at most {:.2g} % of the torque",
-                                  "friction is undecided: between zero and {:.2g} % of the largest torque"};
-constexpr LossWords DampingWords{"damping_below_zero", "a damping below zero came out, which no motor has",
-                                 "damping cannot be told from zero: it is at most {:.2g} % of the torque",
-                                 "damping is undecided: between zero and {:.2g} % of the largest torque"};
+constexpr LossWords FrictionWords{"friction_below_zero", "negative friction, not possible for a motor",
+                                  "friction not distinguishable from zero: at most {:.2g} % of the torque",
+                                  "friction undetermined: between zero and {:.2g} % of the largest torque"};
+constexpr LossWords DampingWords{"damping_below_zero", "negative damping, not possible for a motor",
+                                 "damping not distinguishable from zero: at most {:.2g} % of the torque",
+                                 "damping undetermined: between zero and {:.2g} % of the largest torque"};
 
 void judgeFriction(IdentifyResult& result, const std::optional<Share>& share,
                    const std::vector<Estimate*>& estimates, const LossWords& words) {
@@ -141,8 +142,8 @@ void judgeFriction(IdentifyResult& result, const std::optional<Share>& share,
     }
     if (share->high < 0.0 && share->value < -Negligible_ratio) {
         refuse(result, {words.code, words.negative,
-                        "current and angle do not belong together: check their units, that no column is "
-                        "shifted in time, and that nothing else drives the rotor"});
+                        "current and angle are not consistent: check units, time shift of the columns, and "
+                        "that nothing else drives the rotor"});
         return;
     }
     startAtZero(estimates);
@@ -162,12 +163,11 @@ bool judgePositive(IdentifyResult& result) {
     const auto torques = estimatesOf(result, result.torqueConstant, {"phi_over_J"});
     const auto isBelow = [](const Estimate* estimate) { return !(*estimate->value > 0.0); };
     if (std::any_of(torques.begin(), torques.end(), isBelow)) {
-        refuseSign(result,
-                   "the current accelerates the rotor backwards, its torque constant would be negative");
+        refuseSign(result, "negative torque constant: the current accelerates the rotor backwards");
         return false;
     }
     if (isMeasured(result.inertia) && isBelow(&result.inertia)) {
-        refuse(result, {"inertia_below_zero", "an inertia below zero came out, which no rotor has",
+        refuse(result, {"inertia_below_zero", "negative inertia, not possible for a rotor",
                         "check the given constants, and the units of current and angle"});
         return false;
     }
@@ -178,8 +178,8 @@ bool judgePositive(IdentifyResult& result) {
     });
     if (reachesZero) {
         remark(result, Verdict::Doubtful,
-               {"interval_reaches_zero", "the interval of the torque constant or of the inertia reaches zero",
-                "use larger and more different currents, and hold each longer"});
+               {"interval_reaches_zero", "the interval of torque constant or inertia includes zero",
+                "use larger and more different currents, each for a longer time"});
     }
     return true;
 }
@@ -188,18 +188,15 @@ bool judgePositive(IdentifyResult& result) {
 
 bool judgeColumns(IdentifyResult& result, const IdentifyFits& fits) {
     if (fits.isSpeedColumn) {
-        refuse(result, {"speed_as_angle",
-                        "the angle's column looks like a speed: it settles with each current instead of "
-                        "growing on",
+        refuse(result, {"speed_as_angle", "the angle column looks like a speed: it settles with each current",
                         "record the position, or rename the columns"});
         return false;
     }
     if (fits.wrap_rad) {
         remark(result, Verdict::Good,
                {"angle_wraps",
-                fmt::format("the angle wraps after {:.4g} deg: it was continued",
-                            radiansToDegrees(*fits.wrap_rad)),
-                "nothing is lost as long as the rotor turns less than half of that between two rows"});
+                fmt::format("angle wraps after {:.4g} deg: unwrapped", radiansToDegrees(*fits.wrap_rad)),
+                "valid if the rotor turns by less than half of this angle between two rows"});
     }
     if (2 * fits.againstPlateaus > fits.points.size()) {
         refuseSign(result, "the rotor turns against its current");

@@ -144,6 +144,9 @@ Result<IdentifyResult> runIdentify(devices::Device& device, const IdentifyConfig
     if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
         return failure(offered.error());
     }
+    if (auto turns = checkTurnsForever(device.catalogue()); !turns) {
+        return failure(turns.error());
+    }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());
     }

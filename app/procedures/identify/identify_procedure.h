@@ -33,6 +33,8 @@ struct IdentifyConfig {
     CurrentSweep sweep;
     SweepDirections directions = SweepDirections::Both;
     control::GivenConstants given;
+    std::string axis;                      ///< of a device with several; empty or "all": every one
+    std::vector<ParameterValue> constants; ///< given ones of a device with several axes, by symbol
     std::optional<AddedInertia> added;
     std::uint64_t seed = 1;         ///< order of the plateaus and bootstrap
     double speedLimit_rad_s = 40.0; ///< the board's speed window while this procedure runs
@@ -84,7 +86,8 @@ struct IdentifyResult {
     std::map<std::string, double> notes; ///< further diagnostics, e.g. "friction_scatter_ratio"
 };
 
-/// What the sweep will do to the coils, before anything is armed (also for `run --dry-run`).
+/// Forecast of the sweep: duration, current and coil temperature, before anything is armed (also for `run
+/// --dry-run`).
 struct IdentifyPrediction {
     double duration_s = 0.0;
     double peakCurrent_A = 0.0;

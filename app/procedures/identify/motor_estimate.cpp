@@ -72,7 +72,7 @@ Result<control::PositionPlant> completed(const PartialPlant& plant) {
         add(plant.dampingRate_1_s, "c/J");
         add(plant.breakawayCurrent_A, "K_f/phi");
         return failure(
-            ErrorCode::Refused, fmt::format("the model does not hold {}, which decides the loop", missing),
+            ErrorCode::Refused, fmt::format("{} is missing in the model; it determines the loop", missing),
             "steady speeds alone do not show the inertia: identify with run-ups and coast-downs, or give "
             "the constant that is known (--given J=...)");
     }
@@ -172,8 +172,9 @@ Result<control::UncertainPlant> uncertainPlantFromEstimate(const MotorEstimate& 
     for (const std::string& name : estimate.covarianceNames) {
         const auto number = value(all, symbolOf(name));
         if (!number) {
-            return failure(ErrorCode::InvalidInput,
-                           fmt::format("the covariance names '{}', of which the model has no value", name));
+            return failure(
+                ErrorCode::InvalidInput,
+                fmt::format("the covariance contains '{}', for which the model has no value", name));
         }
         result.mean(static_cast<Eigen::Index>(names.size())) = *number;
         names.push_back(symbolOf(name));

@@ -1,3 +1,4 @@
+#include "app/procedures/excite/travel_reference.h"
 #include "app/procedures/move/move_procedure.h"
 #include "control/analysis/step_metrics.h"
 #include "control/base/units.h"
@@ -16,7 +17,12 @@ struct Part {
     bool holds(double time_s) const { return time_s >= from_s - 1e-9 && time_s <= to_s + 1e-9; }
 };
 
+constexpr double Plateau_s = 0.5;
+
 Part evaluatedPart(const MoveConfig& config) {
+    if (const auto travel_s = travelTime_s(config.reference)) {
+        return {config.evaluateFrom_s.value_or(0.0), config.evaluateTo_s.value_or(*travel_s)};
+    }
     return {config.evaluateFrom_s.value_or(0.5 * config.duration_s),
             config.evaluateTo_s.value_or(config.duration_s)};
 }
@@ -28,14 +34,15 @@ bool isSettledTime(const MoveReference& reference, double time_s) {
     return !isRunning || phase - std::floor(phase + 1e-9) >= 0.9 - 1e-9;
 }
 
-bool counts(const MoveConfig& config, double time_s) {
+bool counts(const MoveConfig& config, const Part& part, double time_s) {
     if (config.reference.shape == MoveReference::Shape::Staircase && !config.evaluateFrom_s) {
         return isSettledTime(config.reference, time_s);
     }
-    return evaluatedPart(config).holds(time_s);
+    return part.holds(time_s);
 }
 
 void measureErrors(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
+    const Part part = evaluatedPart(config);
     double square = 0.0;
     double sum = 0.0;
     std::size_t count = 0;
@@ -45,7 +52,7 @@ void measureErrors(const MoveResponse& response, const MoveConfig& config, MoveF
         if (response.time_s[i] < 1.0) {
             figures.firstSecondError = std::max(figures.firstSecondError, std::fabs(error));
         }
-        if (counts(config, response.time_s[i])) {
+        if (counts(config, part, response.time_s[i])) {
             figures.maxError = std::max(figures.maxError, std::fabs(error));
             square += error * error;
             sum += error;
@@ -60,9 +67,10 @@ void measureErrors(const MoveResponse& response, const MoveConfig& config, MoveF
 }
 
 void measureTravel(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
+    const Part part = evaluatedPart(config);
     std::optional<std::pair<double, double>> ends;
     for (std::size_t i = 0; i < response.time_s.size(); ++i) {
-        if (evaluatedPart(config).holds(response.time_s[i])) {
+        if (part.holds(response.time_s[i])) {
             const double position = response.position[i];
             const auto [low, high] = ends.value_or(std::pair(position, position));
             ends = {std::min(low, position), std::max(high, position)};
@@ -126,6 +134,123 @@ Result<void> measureStepFigures(const MoveResponse& response, const MoveConfig& 
     return {};
 }
 
+/// The time from which the reference rests for good; nothing of one that goes on.
+std::optional<double> restFrom_s(const MoveReference& reference) {
+    using Shape = MoveReference::Shape;
+    if (reference.base != 0.0) {
+        return std::nullopt;
+    }
+    switch (reference.shape) {
+    case Shape::Step:
+    case Shape::Rest:
+        return 0.0;
+    case Shape::Staircase:
+        return reference.period_s * (reference.count - 1);
+    case Shape::Ramp:
+        return reference.amplitude == 0.0 ? std::nullopt
+                                          : std::optional(std::fabs(reference.amplitude / reference.rate));
+    default:
+        return travelTime_s(reference);
+    }
+}
+
+struct Moments {
+    double mean;
+    double deviation;
+};
+
+std::optional<Moments> momentsOf(const MoveResponse& response, const Part& part) {
+    double sum = 0.0;
+    double count = 0.0;
+    const auto overPart = [&](const auto& add) {
+        for (std::size_t i = 0; i < response.time_s.size(); ++i) {
+            if (part.holds(response.time_s[i])) {
+                add(response.position[i]);
+            }
+        }
+    };
+    overPart([&](double position) {
+        sum += position;
+        ++count;
+    });
+    if (count < 2.0) {
+        return std::nullopt;
+    }
+    const double mean = sum / count;
+    double square = 0.0;
+    overPart([&](double position) { square += (position - mean) * (position - mean); });
+    return Moments{mean, std::sqrt(square / count)};
+}
+
+void measureRest(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
+    const auto from_s = restFrom_s(config.reference);
+    const double end_s = response.time_s.back();
+    const double window_s = restWindow_s(config.reference, end_s);
+    if (from_s && *from_s + window_s <= end_s + 1e-9) {
+        const auto moments = momentsOf(response, {end_s - window_s, end_s});
+        figures.restRms = moments ? std::optional(moments->deviation) : std::nullopt;
+    }
+}
+
+/// The slope of a straight line through the positions.
+void measureRampEnd(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
+    constexpr double Piece_s = 0.02;
+    const auto profile = travelProfile(config.reference);
+    if (!profile || profile->duration_s() - 2.0 * profile->ramp_s() < Piece_s) {
+        return;
+    }
+    const Part part{profile->ramp_s(), profile->ramp_s() + Piece_s};
+    const double middle_s = 0.5 * (part.from_s + part.to_s);
+    double product = 0.0;
+    double square = 0.0;
+    double offset = 0.0;
+    for (std::size_t i = 0; i < response.time_s.size(); ++i) {
+        if (part.holds(response.time_s[i])) {
+            const double time_s = response.time_s[i] - middle_s;
+            product += time_s * response.position[i];
+            square += time_s * time_s;
+            offset += time_s;
+        }
+    }
+    const auto moments = momentsOf(response, part);
+    if (moments && square > 0.0) {
+        figures.rampEndSpeed = (product - offset * moments->mean) / square;
+    }
+}
+
+StairFigures stairOf(const MoveResponse& response, const MoveReference& reference, int stair) {
+    const double height = reference.amplitude;
+    const Part part{stair * reference.period_s, (stair + 1) * reference.period_s - 1e-6};
+    std::vector<double> time_s;
+    std::vector<double> position;
+    for (std::size_t i = 0; i < response.time_s.size(); ++i) {
+        if (part.holds(response.time_s[i])) {
+            time_s.push_back(response.time_s[i] - part.from_s);
+            position.push_back(response.position[i]);
+        }
+    }
+    StairFigures figures;
+    if (const auto metrics = control::measureStep(time_s, position, stair * height, (stair + 1) * height)) {
+        figures.riseTime_s = metrics->riseTime_s;
+        figures.settlingTime_s = metrics->settlingTime_s;
+        figures.overshoot_percent = metrics->overshoot_percent;
+    }
+    const auto moments = momentsOf(response, {std::max(part.from_s, part.to_s - Plateau_s), part.to_s});
+    figures.mean = moments ? moments->mean : 0.0;
+    return figures;
+}
+
+/// Those that were seen to their end.
+void measureStairs(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
+    const MoveReference& reference = config.reference;
+    for (int stair = 0; stair < reference.count; ++stair) {
+        if ((stair + 1) * reference.period_s > response.time_s.back() + 2e-3) {
+            return;
+        }
+        figures.stairs.push_back(stairOf(response, reference, stair));
+    }
+}
+
 bool isFinite(const std::vector<double>& values) {
     return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
@@ -136,11 +261,11 @@ Result<MoveFigures> measureMove(const MoveResponse& response, const MoveConfig& 
     const std::size_t rows = response.time_s.size();
     if (rows < 2 || response.rowsPerReference == 0 || response.reference.size() != rows ||
         response.position.size() != rows) {
-        return failure(ErrorCode::InvalidInput, "the response has too few samples to be measured",
+        return failure(ErrorCode::InvalidInput, "the response has too few samples to evaluate",
                        "Record longer or at a higher rate.");
     }
     if (!isFinite(response.reference) || !isFinite(response.position)) {
-        return failure(ErrorCode::NotFinite, "the response holds a value that is not a number",
+        return failure(ErrorCode::NotFinite, "the response contains a value that is not a number",
                        "Repeat the move.");
     }
     MoveFigures figures;
@@ -150,7 +275,14 @@ Result<MoveFigures> measureMove(const MoveResponse& response, const MoveConfig& 
     if (config.reference.shape == MoveReference::Shape::Sine) {
         measureSine(response, config, figures);
     }
-    if (config.reference.shape == MoveReference::Shape::Step) {
+    measureRest(response, config, figures);
+    if (config.reference.shape == MoveReference::Shape::Staircase) {
+        measureStairs(response, config, figures);
+    }
+    if (isTravel(config.reference)) {
+        measureRampEnd(response, config, figures);
+    }
+    if (config.reference.shape == MoveReference::Shape::Step || isTravel(config.reference)) {
         if (auto measured = measureStepFigures(response, config, figures); !measured) {
             return failure(measured.error());
         }

@@ -78,11 +78,11 @@ void judgeReference(const MoveResponse& response, const MoveConfig& config, std:
         quality.verdict = Verdict::Refused;
         quality.findings.push_back(
             {"reference_differs",
-             fmt::format("the board followed another reference than commanded, {} away",
+             fmt::format("the device followed another reference than commanded, deviation {}",
                          readable(axis, departure)),
              axis.turnsForever
-                 ? "See where the rotor stands and that no other program uses the board, then move again."
-                 : "See that no other program uses the board, then move again."});
+                 ? "Check the rotor position and that no other program uses the device, then move again."
+                 : "Check that no other program uses the device, then move again."});
     }
 }
 
@@ -107,8 +107,8 @@ void judgeEnd(const MoveResponse& response, const MoveConfig& config, const devi
                                radiansToDegrees(response.position.back()), radiansToDegrees(end))
                  : fmt::format("axis {} ended at {:.3g} instead of {:.3g} {}", axis.id,
                                response.position.back(), end, axis.positionUnit),
-             axis.turnsForever ? "Move for longer; check the gains and that nothing blocks the rotor."
-                               : "Move for longer; check the gains and that nothing is in the way."});
+             axis.turnsForever ? "Use a longer move. Check the gains and that the rotor is free."
+                               : "Use a longer move. Check the gains and that the axis is free."});
     }
 }
 

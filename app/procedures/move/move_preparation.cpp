@@ -3,6 +3,7 @@
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/base/procedure_steps.h"
+#include "app/procedures/excite/travel_reference.h"
 #include "app/procedures/tune/position_law_parameters.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,19 @@
 namespace halbench::app {
 namespace {
 
+Result<void> checkExcursion(const devices::AxisSpec& axis, double asked, double window,
+                            const std::string& parameter) {
+    if (asked < window) {
+        return {};
+    }
+    const std::string& unit = axis.positionUnit;
+    return failure(
+        ErrorCode::OutOfRange,
+        fmt::format("a move of {:.4g} {} leaves the window of {:.4g} {} of axis {}", asked, unit, window,
+                    unit, axis.id),
+        fmt::format("Use a shorter distance, or set {} on the device. Nothing was armed.", parameter));
+}
+
 // A bounded axis stays within the windows that the board has: those are its travel.
 Result<MoveTask> withinBoardWindows(devices::Device& device, const MoveConfig& config, MoveTask task) {
     const devices::Catalogue& catalogue = device.catalogue();
@@ -24,16 +38,46 @@ Result<MoveTask> withinBoardWindows(devices::Device& device, const MoveConfig& c
         return failure(values.error());
     }
     const double asked = referenceExcursion(config.reference, config.duration_s);
-    if (asked >= values->front()) {
-        const std::string& unit = task.axis.positionUnit;
-        return failure(ErrorCode::OutOfRange,
-                       fmt::format("a move of {:.4g} {} leaves the window of {:.4g} {} of axis {}", asked,
-                                   unit, values->front(), unit, task.axis.id),
-                       fmt::format("Move less, or set {} on the device. Nothing was armed.", names.front()));
+    if (auto fits = checkExcursion(task.axis, asked, values->front(), names.front()); !fits) {
+        return failure(fits.error());
     }
     task.window = std::min(task.window, values->front());
     task.speedLimit = values->back();
     return task;
+}
+
+// As the window of the first axis.
+Result<MoveTask> withSecondAxis(devices::Device& device, const MoveConfig& config, MoveTask task,
+                                const devices::AxisSpec& second) {
+    const std::string names[] = {parameterOf(device.catalogue(), second.roles.positionWindow)};
+    const auto window = device.readParameters(names);
+    if (!window) {
+        return failure(window.error());
+    }
+    const double asked = referenceExcursion(config.reference, config.duration_s);
+    if (auto fits = checkExcursion(second, asked, window->front(), names[0]); !fits) {
+        return failure(fits.error());
+    }
+    task.window = std::min(task.window, window->front());
+    task.second = second;
+    return task;
+}
+
+Result<MoveTask> pathTask(devices::Device& device, const MoveConfig& config) {
+    if (!config.axis.empty() && config.axis != "all") {
+        return failure(ErrorCode::Usage,
+                       fmt::format("a {} moves two axes", moveShapeName(config.reference.shape)),
+                       "Name no axis.");
+    }
+    const auto axes = pathAxes(device.catalogue());
+    if (!axes) {
+        return failure(axes.error());
+    }
+    const auto& [first, second] = *axes;
+    const MoveTask task{first, std::nullopt, excursionWindow(device.catalogue(), config, first),
+                        config.speedLimit_rad_s};
+    auto within = withinBoardWindows(device, config, task);
+    return within ? withSecondAxis(device, config, *within, second) : failure(within.error());
 }
 
 // Without a shape the reference of an axis stays where it is.
@@ -66,7 +110,7 @@ Result<void> awaitRest(devices::Device& device, const devices::AxisSpec& axis,
         }
         still = std::fabs(speed_rad_s->front()) < Still_rad_s ? still + 1 : 0;
         if (still < 2) {
-            if (auto waited = waitObserved(device, observer, Piece_s, 0.0, 0.0, "waits for standstill");
+            if (auto waited = waitObserved(device, observer, Piece_s, 0.0, 0.0, "waiting for standstill");
                 !waited) {
                 return waited;
             }
@@ -105,8 +149,8 @@ Result<void> awaitZero(devices::Device& device, const ProcedureObserver& observe
         return failure(isKnown.error());
     }
     return *isKnown ? Result<void>()
-                    : failure(ErrorCode::Refused, "the device knows no zero of its axes and does not find it",
-                              "Check its sensors, home it, and move again. Nothing was armed.");
+                    : failure(ErrorCode::Refused, "the device has no axis zero and cannot find it",
+                              "Check its sensors, home the axes, then move again. Nothing was armed.");
 }
 
 } // namespace
@@ -121,6 +165,9 @@ double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& co
 }
 
 Result<MoveTask> moveTask(devices::Device& device, const MoveConfig& config) {
+    if (isPath(config.reference)) {
+        return pathTask(device, config);
+    }
     const auto axis = chosenAxis(device.catalogue(), config.axis);
     if (!axis) {
         return failure(axis.error());
@@ -128,16 +175,24 @@ Result<MoveTask> moveTask(devices::Device& device, const MoveConfig& config) {
     if (auto isMeant = checkQuantity(config.reference, *axis); !isMeant) {
         return failure(isMeant.error());
     }
-    const MoveTask task{*axis, excursionWindow(device.catalogue(), config, *axis), config.speedLimit_rad_s};
+    if (auto isOffered = checkGenerator(device.catalogue(), *axis, config.reference); !isOffered) {
+        return failure(isOffered.error());
+    }
+    const MoveTask task{*axis, std::nullopt, excursionWindow(device.catalogue(), config, *axis),
+                        config.speedLimit_rad_s};
     return axis->turnsForever ? Result<MoveTask>(task) : withinBoardWindows(device, config, task);
 }
 
 Result<void> setMoveWindows(devices::Device& device, const MoveTask& task) {
     const devices::Catalogue& catalogue = device.catalogue();
-    const ParameterValue windows[] = {{parameterOf(catalogue, task.axis.roles.positionWindow), task.window},
-                                      {parameterOf(catalogue, "window.position_enabled"), 1.0},
-                                      {parameterOf(catalogue, task.axis.roles.speedWindow), task.speedLimit},
-                                      {parameterOf(catalogue, "window.speed_enabled"), 1.0}};
+    std::vector<ParameterValue> windows = {
+        {parameterOf(catalogue, task.axis.roles.positionWindow), task.window},
+        {parameterOf(catalogue, "window.position_enabled"), 1.0},
+        {parameterOf(catalogue, task.axis.roles.speedWindow), task.speedLimit},
+        {parameterOf(catalogue, "window.speed_enabled"), 1.0}};
+    if (task.second) {
+        windows.push_back({parameterOf(catalogue, task.second->roles.positionWindow), task.window});
+    }
     return device.writeParameters(windows);
 }
 
@@ -146,6 +201,11 @@ Result<void> setMoveGenerator(devices::Device& device, const MoveConfig& config,
     std::vector<ParameterValue> values =
         generatorParameters(config.reference, config.duration_s, axis.generator);
     holdOthers(device.catalogue(), axis, values);
+    // An excitation that was cut off may have left it where a reference becomes a force.
+    values.push_back({axis.generator + ".target", 0.0});
+    if (!isPath(config.reference) && device.catalogue().findParameter("path.shape") != nullptr) {
+        values.push_back({"path.shape", 0.0});
+    }
     values.push_back({"hb.mode", static_cast<double>(devices::BoardMode::Position)});
     // A small board leaves out what only chirp and multisine need, and refuses these shapes.
     std::erase_if(values, [&device](const ParameterValue& value) {

@@ -7,7 +7,8 @@ namespace halbench::app {
 /// The axis that moves, and how far and fast the board lets it: set for the move and watched by the host.
 struct MoveTask {
     devices::AxisSpec axis;
-    double window = 0.0; ///< from where it is when armed, in the axis's unit
+    std::optional<devices::AxisSpec> second = {}; ///< of a path
+    double window = 0.0;                          ///< from where it is when armed, in the axis's unit
     double speedLimit = 0.0;
 };
 
@@ -15,14 +16,14 @@ struct MoveTask {
 double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& config,
                        const devices::AxisSpec& axis);
 
-/// Errors: of the axis and its unit (move_procedure.h), OutOfRange, of the device.
+/// Errors: of the axis, its unit and the shape (move_procedure.h), OutOfRange, of the device.
 Result<MoveTask> moveTask(devices::Device& device, const MoveConfig& config);
 
 /// Waits for cool coils and a rotor at rest, or homes. Errors: Refused, of the device, of the abort.
 Result<void> prepareMove(devices::Device& device, const MoveConfig& config, const devices::AxisSpec& axis,
                          const ProcedureObserver& observer);
 Result<void> setMoveWindows(devices::Device& device, const MoveTask& task);
-/// The reference of the axis, none for the others, and mode position.
+/// The reference of the axis or the path, none for the others, and mode position.
 Result<void> setMoveGenerator(devices::Device& device, const MoveConfig& config,
                               const devices::AxisSpec& axis);
 

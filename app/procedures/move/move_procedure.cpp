@@ -1,10 +1,12 @@
 #include "app/procedures/move/move_procedure.h"
 
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
 #include "app/procedures/base/row_loss.h"
 #include "app/procedures/excite/excitation_limits.h"
+#include "app/procedures/excite/travel_reference.h"
 #include "app/procedures/move/move_preparation.h"
 #include "app/procedures/move/move_recording.h"
 
@@ -30,6 +32,13 @@ Result<void> checkMove(const MoveConfig& config) {
                        fmt::format("a move of {} s is out of range", config.duration_s),
                        "Allowed: 0.05 to 3600 s.");
     }
+    const auto travel_s = travelTime_s(config.reference);
+    if (travel_s && *travel_s > config.duration_s + 1e-9) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("the {} takes {:.4g} s, the move ends after {:.4g} s",
+                                   moveShapeName(config.reference.shape), *travel_s, config.duration_s),
+                       "Move for longer, or leave the duration out.");
+    }
     return {};
 }
 
@@ -50,8 +59,7 @@ Result<void> follow(devices::Device& device, const MoveConfig& config, const dev
         return armed;
     }
     // At rest before the reference starts: gives the origin.
-    if (auto settled = waitObserved(device, observer, axis.settle_s, 0.0, 0.0, "holds its position");
-        !settled) {
+    if (auto settled = waitObserved(device, observer, axis.settle_s, 0.0, 0.0, "position hold"); !settled) {
         return settled;
     }
     const ParameterValue start[] = {{"reference.start", 1.0}};
@@ -61,7 +69,7 @@ Result<void> follow(devices::Device& device, const MoveConfig& config, const dev
     if (auto entered = enterState(observer, ProcedureState::Record); !entered) {
         return entered;
     }
-    if (auto moved = waitObserved(device, observer, config.duration_s + Tail_s, 0.05, 0.95, "makes the move");
+    if (auto moved = waitObserved(device, observer, config.duration_s + Tail_s, 0.05, 0.95, "move running");
         !moved) {
         return moved;
     }
@@ -80,12 +88,22 @@ Result<MoveResult> runGuarded(devices::Device& device, const MoveConfig& config,
     return restoredResult(*guard, performMove(device, config, observer));
 }
 
+/// Of a path the first one.
+Result<devices::AxisSpec> axisOfMove(const MoveConfig& config, const devices::Catalogue& catalogue) {
+    if (!isPath(config.reference)) {
+        return chosenAxis(catalogue, config.axis);
+    }
+    const auto pair = pathAxes(catalogue);
+    return pair ? Result<devices::AxisSpec>(pair->front()) : failure(pair.error());
+}
+
 } // namespace
 
 MoveOutlook moveOutlook(const MoveConfig& config, const devices::Catalogue& catalogue) {
-    const devices::AxisSpec axis = chosenAxis(catalogue, config.axis).value_or(devices::AxisSpec{});
+    const auto axis = axisOfMove(config, catalogue).value_or(devices::AxisSpec{});
     return {referenceExcursion(config.reference, config.duration_s), excursionWindow(catalogue, config, axis),
-            config.speedLimit_rad_s, axis.settle_s + config.duration_s + Tail_s};
+            config.speedLimit_rad_s, axis.settle_s + config.duration_s + Tail_s,
+            travelTime_s(config.reference)};
 }
 
 MovePrediction predictMove(const MoveConfig& config, const control::SampledPositionLaw& law,
@@ -152,8 +170,9 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted
     if (auto entered = enterState(observer, ProcedureState::Judge); !entered) {
         return failure(entered.error());
     }
-    Result<MoveResult> result = judgeRecording(*std::move(recording), config, task->axis, device.catalogue());
+    Result<MoveResult> result = judgeRecording(*std::move(recording), config, *task, device.catalogue());
     if (result) {
+        result->travel_s = travelTime_s(config.reference);
         nameRowLoss(result->quality, causeOfRowLoss(before, device.statistics()));
     }
     return result;
@@ -161,6 +180,9 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted
 
 Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,
                            const ProcedureObserver& observer) {
+    if (auto offered = checkProcedureOffered(device.catalogue(), "move"); !offered) {
+        return failure(offered.error());
+    }
     Result<MoveResult> result = runGuarded(device, config, observer);
     const auto entered = enterState(observer, result ? ProcedureState::Done : ProcedureState::Restored);
     if (result && !entered) {

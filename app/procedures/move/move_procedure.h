@@ -11,8 +11,8 @@ namespace halbench::app {
 struct MoveConfig {
     MoveReference reference;
     double duration_s = 3.0;
-    /// Part of the run in which errors count; default: the second half. A staircase counts the last tenth of
-    /// each step instead.
+    /// Part of the run in which errors count; default: the second half, of travels and paths the way. A
+    /// staircase counts the last tenth of each step instead.
     std::optional<double> evaluateFrom_s;
     std::optional<double> evaluateTo_s;
     /// Error below which the axis counts as locked to its reference; without one there is no lock time.
@@ -22,7 +22,15 @@ struct MoveConfig {
     double speedLimit_rad_s = 40.0; ///< of an axis that turns forever; others keep the board's window
     double pauseTemperature_degC = 65.0;
     double refuseTemperature_degC = 70.0;
-    std::string axis = {}; ///< which one moves; empty: the only one
+    std::string axis = {}; ///< which one moves; empty: the only one, of a path the two that it has
+};
+
+/// One step of a staircase, measured like a step of its own.
+struct StairFigures {
+    std::optional<double> riseTime_s;
+    std::optional<double> settlingTime_s;
+    double overshoot_percent = 0.0;
+    double mean = 0.0; ///< of the position in the last half second of the stair
 };
 
 /// Figures of one response against its reference; error = reference - position, both from the start, in the
@@ -46,6 +54,18 @@ struct MoveFigures {
     /// From here to the end the error stays below MoveConfig::lockThreshold; absent when it does not. Of
     /// a sine, whose error has two peaks a period, at least half a period must follow.
     std::optional<double> lockTime_s;
+    /// Standard deviation of the position in the last half second (of Shape::Rest all the time), where the
+    /// reference rests there; its mean is no noise.
+    std::optional<double> restRms;
+    /// Of a travel: the slope over the first 20 ms of its constant speed.
+    std::optional<double> rampEndSpeed;
+    std::vector<StairFigures> stairs = {};
+};
+
+/// Distance from the nearest point of a path, from its start to its end.
+struct ContourError {
+    double rms = 0.0;
+    double peak = 0.0;
 };
 
 /// An axis that was to stay where it was: how far it went, in its position unit.
@@ -53,6 +73,18 @@ struct CrossAxisPeak {
     devices::AxisSpec axis;
     double measured = 0.0;
     std::optional<double> truth;
+    std::optional<double> measuredRestRms = {}; ///< as MoveFigures::restRms
+    std::optional<double> trueRestRms = {};
+};
+
+/// The second axis of a path, and how near both kept to it.
+struct PathResult {
+    devices::AxisSpec axis;
+    MoveFigures measured;
+    std::optional<MoveFigures> truth;
+    double peakEffort = 0.0;
+    ContourError measuredContour;
+    std::optional<ContourError> trueContour;
 };
 
 struct MoveResult {
@@ -66,6 +98,8 @@ struct MoveResult {
     devices::AxisSpec axis = {};            ///< that moved
     double peakEffort = 0.0;                ///< of that axis, in its effort unit
     std::vector<CrossAxisPeak> others = {}; ///< empty on a device with one axis
+    std::optional<double> travel_s = {};    ///< of a travel or path, known before it began
+    std::optional<PathResult> path = {};
 
     /// Truth where known, else measured: what checks and reports mean.
     const MoveFigures& figures() const { return truth ? *truth : measured; }
@@ -85,10 +119,11 @@ MovePrediction predictMove(const MoveConfig& config, const control::SampledPosit
 
 /// How far and how long a move may go on this device: what performMove() sets, told before.
 struct MoveOutlook {
-    double excursion_rad = 0.0;    ///< that the reference asks for, from the start
-    double window_rad = 0.0;       ///< from the start: there the board ends the motion
-    double speedLimit_rad_s = 0.0; ///< likewise
-    double armed_s = 0.0;          ///< from arming to disarming
+    double excursion_rad = 0.0;          ///< that the reference asks for, from the start
+    double window_rad = 0.0;             ///< from the start: there the board ends the motion
+    double speedLimit_rad_s = 0.0;       ///< likewise
+    double armed_s = 0.0;                ///< from arming to disarming
+    std::optional<double> travel_s = {}; ///< of a travel or path, from its start to its end
 };
 MoveOutlook moveOutlook(const MoveConfig& config, const devices::Catalogue& catalogue);
 
@@ -98,7 +133,8 @@ MoveOutlook moveOutlook(const MoveConfig& config, const devices::Catalogue& cata
 /// of the board), Refused (too hot to start, no zero of the axes), of the abort. On a device with several
 /// axes one moves and the others hold their position (resources/help/command-line.md, "Axes"); a board that
 /// knows no zero yet is homed first. Errors there: Usage (which axis is not said), UnknownName, OutOfRange
-/// (beyond the board's position window).
+/// (beyond the board's position window), InvalidInput (a shape that the board does not have, a time shorter
+/// than the travel). A path moves the first two axes along a line, so no axis is named.
 Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,
                            const ProcedureObserver& observer);
 

@@ -1,9 +1,13 @@
 #include "app/procedures/move/move_recording.h"
 
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/excite/travel_reference.h"
 #include "app/procedures/move/move_judgement.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace halbench::app {
@@ -29,7 +33,7 @@ Result<std::size_t> firstRowOf(const Recording& recording) {
     const std::vector<double> running = recording.column("reference.running");
     const auto first = std::find_if(running.begin(), running.end(), [](double value) { return value > 0.5; });
     if (first == running.begin() || first == running.end()) {
-        return failure(ErrorCode::Protocol, "the board did not start its reference", "Try again.");
+        return failure(ErrorCode::Protocol, "the device did not start its reference", "Try again.");
     }
     return static_cast<std::size_t>(first - running.begin());
 }
@@ -39,7 +43,7 @@ Result<Origin> findOrigin(const Recording& recording, const AxisColumns& columns
     const std::vector<double> truth = recording.column(columns.truth);
     const auto first = firstRowOf(recording);
     if (!first || reference.empty()) {
-        return failure(ErrorCode::Protocol, "the board did not start its reference", "Try again.");
+        return failure(ErrorCode::Protocol, "the device did not start its reference", "Try again.");
     }
     return Origin{*first, reference[*first - 1], truth.empty() ? 0.0 : truth[*first - 1]};
 }
@@ -102,15 +106,33 @@ double largestDistance(const std::vector<double>& values, double origin) {
     return result;
 }
 
+// Of the last part of a move.
+double restRms(const Recording& recording, const std::vector<double>& values, double window_s) {
+    double sum = 0.0;
+    double square = 0.0;
+    double count = 0.0;
+    for (std::size_t row = 0; row < values.size(); ++row) {
+        if (recording.time_s[row] >= recording.time_s.back() - window_s - 1e-9) {
+            const double away = values[row] - values.back(); // little beside the position: no digits are lost
+            sum += away;
+            square += away * away;
+            ++count;
+        }
+    }
+    return count > 0.0 ? std::sqrt(std::max(0.0, square / count - sum * sum / (count * count))) : 0.0;
+}
+
 // From its reference, which stays where it was; the true position from where that was.
 CrossAxisPeak crossAxisPeak(const Recording& recording, const devices::AxisSpec& axis,
-                            const AxisColumns& columns, const Origin& origin) {
+                            const AxisColumns& columns, const Origin& origin, double window_s) {
     CrossAxisPeak peak;
     peak.axis = axis;
     peak.measured = largestDistance(recording.column(columns.position), origin.reference);
     if (recording.layout->indexOf(columns.truth) >= 0) {
         peak.truth = largestDistance(recording.column(columns.truth), origin.truth);
+        peak.trueRestRms = restRms(recording, recording.column(columns.truth), window_s);
     }
+    peak.measuredRestRms = restRms(recording, recording.column(columns.position), window_s);
     return peak;
 }
 
@@ -120,12 +142,13 @@ struct OtherAxis {
     Origin origin;
 };
 
-Result<std::vector<OtherAxis>> otherAxes(const devices::Catalogue& catalogue, const devices::AxisSpec& moved,
+Result<std::vector<OtherAxis>> otherAxes(const devices::Catalogue& catalogue, const MoveTask& task,
                                          const Recording& recording) {
     std::vector<OtherAxis> others;
     for (const devices::AxisSpec& axis : catalogue.axes) {
         const AxisColumns columns = columnsOf(catalogue, axis);
-        if (axis.id != moved.id && recording.layout->indexOf(columns.position) >= 0) {
+        const bool isMoved = axis.id == task.axis.id || (task.second && axis.id == task.second->id);
+        if (!isMoved && recording.layout->indexOf(columns.position) >= 0) {
             const auto origin = findOrigin(recording, columns);
             if (!origin) {
                 return failure(origin.error());
@@ -156,6 +179,108 @@ double highestTemperature_degC(const devices::Catalogue& catalogue, const Record
         }
     }
     return highest_degC;
+}
+
+/// An axis that moved, and where it was before.
+struct MovedColumns {
+    AxisColumns columns;
+    Origin origin;
+};
+
+Result<MovedColumns> withOrigin(const Recording& recording, MovedColumns moved) {
+    const auto origin = findOrigin(recording, moved.columns);
+    if (!origin) {
+        return failure(origin.error());
+    }
+    moved.origin = *origin;
+    return moved;
+}
+
+struct AxisFigures {
+    MoveFigures measured;
+    std::optional<MoveFigures> truth;
+    double peakEffort = 0.0;
+    MoveResponse response; ///< that was measured
+};
+
+Result<AxisFigures> figuresOf(const Recording& recording, const MovedColumns& moved, const MoveConfig& config,
+                              double rowsPerReference) {
+    const AxisColumns& columns = moved.columns;
+    const CountedColumn reference{columns.reference, moved.origin.reference};
+    AxisFigures figures;
+    figures.response =
+        responseOf(recording, {columns.position, moved.origin.reference}, reference, rowsPerReference);
+    const auto measured = measureMove(figures.response, config);
+    if (!measured) {
+        return failure(measured.error());
+    }
+    figures.measured = *measured;
+    if (recording.layout->indexOf(columns.truth) >= 0) {
+        const auto truth = measureMove(
+            responseOf(recording, {columns.truth, moved.origin.truth}, reference, rowsPerReference), config);
+        if (!truth) {
+            return failure(truth.error());
+        }
+        figures.truth = *truth;
+    }
+    figures.peakEffort = largest(recording.column(columns.effort), true);
+    return figures;
+}
+
+using PathColumns = std::array<CountedColumn, 2>;
+
+PathColumns referencesOf(const MovedColumns& first, const MovedColumns& second) {
+    return {CountedColumn{first.columns.reference, first.origin.reference},
+            CountedColumn{second.columns.reference, second.origin.reference}};
+}
+
+/// Of two columns, while the path lasts.
+ContourError contourOf(const Recording& recording, const MoveConfig& config, const PathColumns& columns) {
+    const auto path = planePath(config.reference); // checked before it moved
+    const std::vector<double> x = recording.column(columns[0].name);
+    const std::vector<double> y = recording.column(columns[1].name);
+    ContourError error;
+    double square = 0.0;
+    double count = 0.0;
+    for (std::size_t row = 0; row < x.size() && recording.time_s[row] <= path->duration_s() + 1e-9; ++row) {
+        const double away = path->distanceFrom(x[row] - columns[0].origin, y[row] - columns[1].origin);
+        error.peak = std::max(error.peak, away);
+        square += away * away;
+        ++count;
+    }
+    error.rms = count > 0.0 ? std::sqrt(square / count) : 0.0;
+    return error;
+}
+
+PathResult pathResultOf(const Recording& recording, const MoveConfig& config, const devices::AxisSpec& axis,
+                        const std::array<MovedColumns, 2>& moved, AxisFigures figures) {
+    PathResult result;
+    result.axis = axis;
+    result.measured = std::move(figures.measured);
+    result.truth = std::move(figures.truth);
+    result.peakEffort = figures.peakEffort;
+    const auto columnsOfBoth = [&](std::string AxisColumns::*name, double Origin::*origin) {
+        return PathColumns{CountedColumn{moved[0].columns.*name, moved[0].origin.*origin},
+                           CountedColumn{moved[1].columns.*name, moved[1].origin.*origin}};
+    };
+    result.measuredContour =
+        contourOf(recording, config, columnsOfBoth(&AxisColumns::position, &Origin::reference));
+    if (result.truth) {
+        result.trueContour = contourOf(recording, config, columnsOfBoth(&AxisColumns::truth, &Origin::truth));
+    }
+    return result;
+}
+
+/// The board's own references are on the path, but for their resolution.
+void judgePath(const ContourError& reference, DataQuality& quality, const devices::AxisSpec& axis) {
+    if (reference.peak > 2.0 * axis.referenceTolerance) {
+        quality.verdict = Verdict::Refused;
+        quality.findings.push_back(
+            {"reference_differs",
+             fmt::format("the board followed another path than commanded, {:.3g} {} away", reference.peak,
+                         axis.positionUnit),
+             "Check that no other program uses the device, then move again."});
+    }
 }
 
 } // namespace
@@ -194,46 +319,48 @@ std::vector<std::string> moveSignals(const devices::Catalogue& catalogue) {
             "reference.running"};
 }
 
-Result<MoveResult> judgeRecording(Recording recording, const MoveConfig& config,
-                                  const devices::AxisSpec& axis, const devices::Catalogue& catalogue) {
-    const AxisColumns columns = columnsOf(catalogue, axis);
-    const auto origin = findOrigin(recording, columns);
-    if (!origin) {
-        return failure(origin.error());
+Result<MoveResult> judgeRecording(Recording recording, const MoveConfig& config, const MoveTask& task,
+                                  const devices::Catalogue& catalogue) {
+    const MovedColumns first{columnsOf(catalogue, task.axis), {}};
+    auto moved = withOrigin(recording, first);
+    if (!moved) {
+        return failure(moved.error());
     }
-    const auto others = otherAxes(catalogue, axis, recording);
-    if (!others) {
-        return failure(others.error());
+    const auto second = task.second ? withOrigin(recording, {columnsOf(catalogue, *task.second), {}})
+                                    : Result<MovedColumns>(first);
+    const auto others = otherAxes(catalogue, task, recording);
+    if (!second || !others) {
+        return failure(!second ? second.error() : others.error());
     }
-    cut(recording, *origin, config);
-    const auto responseIn = [&](const CountedColumn& column) {
-        return responseOf(recording, column, {columns.reference, origin->reference},
-                          loopPeriod_s(catalogue) * config.rate_Hz);
-    };
+    cut(recording, moved->origin, config);
+    const double rowsPerReference = loopPeriod_s(catalogue) * config.rate_Hz;
+    auto figures = figuresOf(recording, *moved, config, rowsPerReference);
+    if (!figures) {
+        return failure(figures.error());
+    }
     MoveResult result;
-    result.axis = axis;
+    result.axis = task.axis;
     result.lockThreshold = config.lockThreshold;
-    const MoveResponse response = responseIn({columns.position, origin->reference});
-    const auto measured = measureMove(response, config);
-    if (!measured) {
-        return failure(measured.error());
-    }
-    result.measured = *measured;
-    if (recording.layout->indexOf(columns.truth) >= 0) {
-        const auto truth = measureMove(responseIn({columns.truth, origin->truth}), config);
-        if (!truth) {
-            return failure(truth.error());
+    result.measured = std::move(figures->measured);
+    result.truth = std::move(figures->truth);
+    result.peakEffort = figures->peakEffort;
+    result.quality =
+        judgeMotion(figures->response, config, recording.lostRows, moved->origin.reference, task.axis);
+    if (task.second) {
+        auto partner = figuresOf(recording, *second, config, rowsPerReference);
+        if (!partner) {
+            return failure(partner.error());
         }
-        result.truth = *truth;
+        result.path = pathResultOf(recording, config, *task.second, {*moved, *second}, *std::move(partner));
+        judgePath(contourOf(recording, config, referencesOf(*moved, *second)), result.quality, task.axis);
     }
-    result.peakEffort = largest(recording.column(columns.effort), true);
     for (const OtherAxis& other : *others) {
-        result.others.push_back(crossAxisPeak(recording, other.axis, other.columns, other.origin));
+        result.others.push_back(crossAxisPeak(recording, other.axis, other.columns, other.origin,
+                                              restWindow_s(config.reference, config.duration_s)));
     }
     result.peakCurrent_A = peakCurrent_A(catalogue, recording);
     result.highestTemperature_degC = highestTemperature_degC(catalogue, recording);
     result.recording = std::move(recording);
-    result.quality = judgeMotion(response, config, result.recording.lostRows, origin->reference, axis);
     return result;
 }
 

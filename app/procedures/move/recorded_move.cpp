@@ -43,7 +43,7 @@ Result<void> checkTimes(std::span<const double> time_s) {
     for (std::size_t i = 1; i < time_s.size(); ++i) {
         if (!(time_s[i] - time_s[i - 1] <= LongestGap_s && time_s[i] > time_s[i - 1])) {
             return failure(ErrorCode::InvalidInput,
-                           fmt::format("rows are missing at {:.3f} s: what happened there is not known",
+                           fmt::format("rows missing at {:.3f} s: no prediction possible",
                                        time_s[i - 1] - time_s.front()),
                            "record the move again, at 100 Hz or more");
         }
@@ -75,9 +75,8 @@ Result<void> checkRest(const RecordedMove& move) {
     constexpr double Still_rad = 0.004; // an angle of which one count flickers
     for (std::size_t row = 0; row < std::min(Rows, move.rows()); ++row) {
         if (std::fabs(move.position_rad[row]) > Still_rad) {
-            return failure(ErrorCode::Refused, "the rotor moves already when the recording begins",
-                           "replay a recording that begins with its move, as `halbench move --out` writes "
-                           "it");
+            return failure(ErrorCode::Refused, "the rotor is already moving when the recording begins",
+                           "use a recording that begins with its move, as `halbench move --out` writes it");
         }
     }
     return {};
@@ -228,7 +227,7 @@ Result<RecordedMove> recordedMove(const Recording& recording) {
                        fmt::format("the recording has no {}", position.empty()    ? "position"
                                                               : reference.empty() ? "reference"
                                                                                   : "current_command"),
-                       "a move is replayed from position, reference and current_command");
+                       "a replay needs position, reference and current_command");
     }
     const std::size_t start = startRow(recording);
     const auto from = [start](const std::vector<double>& values) {
@@ -239,7 +238,7 @@ Result<RecordedMove> recordedMove(const Recording& recording) {
         return failure(timed.error());
     }
     if (!isFinite(from(position)) || !isFinite(from(reference)) || !isFinite(from(current))) {
-        return failure(ErrorCode::NotFinite, "the recording holds a value that is not a number",
+        return failure(ErrorCode::NotFinite, "the recording contains a value that is not a number",
                        "record the move again");
     }
     RecordedMove move{resampled(time_s, from(reference), true), resampled(time_s, from(position), false),

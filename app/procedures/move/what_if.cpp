@@ -1,9 +1,9 @@
 #include "app/procedures/move/what_if.h"
 
 #include "app/procedures/tune/large_step.h"
+#include "control/assess/filtered_loop.h"
 #include "control/assess/loop_rows.h"
-#include "control/assess/shaped_loop.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 
 #include <fmt/format.h>
 
@@ -54,9 +54,9 @@ control::LoopReplay replayed(const WhatIfBasis& basis, const RunMotor& motor,
 }
 
 /// What the identification alone says of the move, without the record.
-MotionBand identifiedBand(const WhatIfBasis& basis, const control::SampledPositionLaw& law) {
+MotionEnvelope identifiedBand(const WhatIfBasis& basis, const control::SampledPositionLaw& law) {
     const std::size_t rows = basis.config.move.rows();
-    return motionBand(basis.motors, rows, [&](const RunMotor& motor) {
+    return motionEnvelope(basis.motors, rows, [&](const RunMotor& motor) {
         return replayRun(motor, {law, basis.reference, {}, rows}).angle_rad;
     });
 }
@@ -65,10 +65,10 @@ void judgeRecord(WhatIfBasis& basis, const control::SampledPositionLaw& ran) {
     basis.explained = identifiedBand(basis, ran);
     const std::vector<double>& recorded_rad = basis.config.move.position_rad;
     basis.widening_ratio = neededWidening_ratio(basis.explained, recorded_rad, basis.resolution_rad());
-    const MotionBand seen = widened(basis.explained, 1.0, basis.resolution_rad());
+    const MotionEnvelope seen = widened(basis.explained, 1.0, basis.resolution_rad());
     std::size_t outside = 0;
     for (std::size_t i = 0; i < seen.time_s.size(); ++i) {
-        const double angle_rad = recorded_rad[i * MotionBandStride];
+        const double angle_rad = recorded_rad[i * MotionEnvelopeStride];
         outside += angle_rad < seen.angle_rad.p5[i] || angle_rad > seen.angle_rad.p95[i] ? 1 : 0;
     }
     basis.outside_ratio = static_cast<double>(outside) / static_cast<double>(seen.time_s.size());
@@ -79,13 +79,13 @@ void judgeRecord(WhatIfBasis& basis, const control::SampledPositionLaw& ran) {
     basis.quality.verdict = isExplained ? Verdict::Doubtful : Verdict::Refused;
     basis.quality.findings.push_back(
         {isExplained ? "record_hardly_explained" : "record_not_explained",
-         fmt::format("the identified loop with the gains that ran does not explain the recorded move: "
-                     "{:.0f} % of it lie outside the predicted band",
+         fmt::format("the model with the recorded gains does not match the recorded move: {:.0f} % outside "
+                     "the predicted band",
                      100.0 * basis.outside_ratio),
-         isExplained ? "the band is widened until it holds the record; identify the motor anew for a better "
-                       "one"
-                     : "nothing follows from this record for other gains: identify the motor anew, or "
-                       "choose a record of this motor with these gains"});
+         isExplained
+             ? "the band is widened to contain the recording; identify the motor again for a better one"
+             : "no prediction for other gains: identify the motor again, or use a recording of this motor "
+               "with these gains"});
 }
 
 Result<control::SampledPositionLaw> admitted(const WhatIfBasis& basis, const LoopLaw& proposed) {
@@ -97,14 +97,14 @@ Result<control::SampledPositionLaw> admitted(const WhatIfBasis& basis, const Loo
     if (!board) {
         return board;
     }
-    const auto radius =
-        control::shapedPoleRadius(basis.identified.plant, asShaped(proposed), basis.config.conditions.timing);
+    const auto radius = control::filteredPoleRadius(basis.identified.plant, asFiltered(proposed),
+                                                    basis.config.conditions.timing);
     if (!radius) {
         return failure(radius.error());
     }
     if (*radius >= 1.0) {
-        return failure(ErrorCode::Refused, "with these gains the loop is unstable: no motion is predicted",
-                       "choose gains that are stable");
+        return failure(ErrorCode::Refused, "the loop is unstable with these gains: no prediction",
+                       "use stable gains");
     }
     return board;
 }
@@ -114,7 +114,7 @@ Result<control::SampledPositionLaw> admitted(const WhatIfBasis& basis, const Loo
 double amplification(const WhatIfBasis& basis, const LoopLaw& proposed) {
     const auto peak = [&](const LoopLaw& law) {
         const auto loop =
-            control::deltaOpenLoop(basis.identified.plant, asShaped(law), basis.config.conditions.timing);
+            control::deltaOpenLoop(basis.identified.plant, asFiltered(law), basis.config.conditions.timing);
         const double margin = loop ? control::smallestMargins(*loop).modulusMargin : 0.0;
         return 1.0 / std::max(margin, 1e-3);
     };
@@ -158,7 +158,7 @@ Result<WhatIfBasis> prepareWhatIf(WhatIfConfig config) {
             ErrorCode::Refused,
             fmt::format("a recorded move has rows of 1 ms and cannot be replayed through a loop of {:.6g} ms",
                         1e3 * period_s),
-            "what if needs a sampling period of whole milliseconds");
+            "what-if needs a sampling period of whole milliseconds");
     }
     const auto plant = plantFromEstimate(config.motor);
     if (!plant) {
@@ -194,9 +194,9 @@ Result<WhatIf> whatIfWithBand(const WhatIfBasis& basis, const LoopLaw& law) {
         return failure(board.error());
     }
     WhatIf result = nominal(basis, *board);
-    const MotionBand disturbed =
-        motionBand(basis.motors, basis.config.move.rows(),
-                   [&](const RunMotor& motor) { return replayed(basis, motor, *board).angle_rad; });
+    const MotionEnvelope disturbed =
+        motionEnvelope(basis.motors, basis.config.move.rows(),
+                       [&](const RunMotor& motor) { return replayed(basis, motor, *board).angle_rad; });
     result.amplification_ratio = amplification(basis, law);
     result.band =
         widened(hullOf(disturbed, identifiedBand(basis, *board)),
@@ -205,10 +205,10 @@ Result<WhatIf> whatIfWithBand(const WhatIfBasis& basis, const LoopLaw& law) {
         result.quality.verdict = Verdict::Doubtful;
         result.quality.findings.push_back(
             {"gains_forgive_less",
-             fmt::format("these gains magnify what the model does not know {:.1f} times more than those that "
-                         "ran: the band is that much wider",
+             fmt::format("these gains amplify model errors {:.1f} times more than the recorded gains: the "
+                         "band is wider by this factor",
                          result.amplification_ratio),
-             "apply them in small steps, or choose gains with a larger modulus margin"});
+             "apply them gradually, or use gains with a larger modulus margin"});
     }
     return result;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/procedures/move/motion_band.h"
+#include "app/procedures/move/motion_envelope.h"
 #include "app/procedures/move/recorded_move.h"
 
 #include <memory>
@@ -27,7 +27,7 @@ struct WhatIfBasis {
     RunMotor identified;
     std::vector<RunMotor> motors; ///< drawn
     MotionRemainder remainder;
-    MotionBand explained;        ///< of the gains that ran, without the record's own disturbance
+    MotionEnvelope explained;    ///< of the gains that ran, without the record's own disturbance
     double widening_ratio = 0.0; ///< that `explained` needs to hold nineteen of twenty of the recorded points
     double outside_ratio = 0.0;  ///< share of the recorded points outside `explained`
     DataQuality quality;         ///< Refused: the record is not explained, nothing follows from it
@@ -40,7 +40,8 @@ struct WhatIfBasis {
 struct WhatIf {
     std::vector<double> angle_rad; ///< of the identified motor
     std::vector<double> current_A;
-    std::optional<MotionBand> band;   ///< nine tenths of the drawn motors, as wide as the record itself needs
+    std::optional<MotionEnvelope>
+        band;                         ///< nine tenths of the drawn motors, as wide as the record itself needs
     double amplification_ratio = 1.0; ///< of that, because these gains forgive less than those that ran
     DataQuality quality = {};         ///< of the record and of these gains
 };

@@ -42,7 +42,7 @@ Result<void> checkNumbers(const CaptureConfig& config) {
 
 Result<void> checkSignals(const devices::Catalogue& catalogue, const CaptureConfig& config) {
     if (!canCapture(catalogue)) {
-        return failure(ErrorCode::DeviceRefused, "this board cannot capture by itself",
+        return failure(ErrorCode::DeviceRefused, "this device has no capture function",
                        "record a stream instead");
     }
     if (config.signals.empty() || config.signals.size() > CaptureSignals) {
@@ -145,7 +145,7 @@ Result<CaptureState> readCaptureState(devices::Device& device) {
     }
     const double value = state->front();
     if (!(value >= 0.0 && value <= static_cast<double>(CaptureState::Full))) {
-        return failure(ErrorCode::Protocol, "the board's capture is in a state that is not known",
+        return failure(ErrorCode::Protocol, "unknown capture state of the device",
                        "update Halbench, or the board's firmware");
     }
     return static_cast<CaptureState>(static_cast<int>(value));
@@ -158,7 +158,7 @@ Result<Recording> checkCapture(Result<Recording> capture, const CaptureConfig& c
     for (std::size_t column = 0; column < config.signals.size(); ++column) {
         if (!capture->layout || capture->layout->columns.size() != config.signals.size() ||
             capture->layout->columns[column].name != config.signals[column]) {
-            return failure(ErrorCode::Protocol, "the board captured other signals than it was asked for",
+            return failure(ErrorCode::Protocol, "the device captured other signals than requested",
                            "another program may be using its capture; try again");
         }
     }
@@ -166,7 +166,7 @@ Result<Recording> checkCapture(Result<Recording> capture, const CaptureConfig& c
                                       [](double value) { return std::isfinite(value); });
     return isFinite ? std::move(capture)
                     : failure(ErrorCode::NotFinite, "a captured value is not a number",
-                              "The board or the link delivers damaged values; nothing was kept of them.");
+                              "Damaged values from the device or the link; nothing was saved.");
 }
 
 } // namespace halbench::app

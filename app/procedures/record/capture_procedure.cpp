@@ -32,7 +32,7 @@ Result<void> awaitFull(devices::Device& device, const CaptureConfig& config,
                            "wait longer with --wait, or choose another --trigger");
         }
         const bool isWaiting = *state == CaptureState::Waiting;
-        const char* text = isWaiting ? "waits for the trigger" : "captures";
+        const char* text = isWaiting ? "waiting for the trigger" : "captures";
         if (auto waited = waitObserved(device, observer, Piece_s, 0.0, 0.0, text); !waited) {
             return waited;
         }
@@ -51,7 +51,7 @@ Result<Recording> readAll(devices::Device& device, const ProcedureObserver& obse
             return failure(goOn.error());
         }
     }
-    return failure(ErrorCode::Protocol, "the board gave nothing of its full capture",
+    return failure(ErrorCode::Protocol, "the device sent no data of its completed capture",
                    "another program may be using its capture; try again");
 }
 
@@ -71,7 +71,7 @@ Result<CaptureTrigger> parseCaptureTrigger(const std::string& text) {
     const char* end = text.data() + text.size();
     const auto parsed = std::from_chars(begin, end, trigger.level);
     if (sign == std::string::npos || sign == 0 || parsed.ec != std::errc{} || parsed.ptr != end) {
-        return failure(ErrorCode::Usage, fmt::format("'{}' is no trigger", text),
+        return failure(ErrorCode::Usage, fmt::format("'{}' is not a trigger", text),
                        "use now, reference, SIGNAL>LEVEL (rising) or SIGNAL<LEVEL (falling)");
     }
     if (!std::isfinite(trigger.level)) {

@@ -165,7 +165,7 @@ Result<void> awaitEvent(devices::Device& device, const ProcedureObserver& observ
                            fmt::format("the trigger did not come within {} s", patience_s),
                            "wait longer (--wait; wait_s of a step), or choose another trigger");
         }
-        if (auto waited = waitObserved(device, observer, Piece_s, 0.0, 0.0, "waits for the trigger");
+        if (auto waited = waitObserved(device, observer, Piece_s, 0.0, 0.0, "waiting for the trigger");
             !waited) {
             return waited;
         }
@@ -222,9 +222,8 @@ public:
         if (m_taker.isBroken()) {
             result.quality.verdict = Verdict::Doubtful;
             result.quality.findings.push_back(
-                {"clock_restarted",
-                 "the board's clock started again: how much time lies before that row is not known",
-                 "look whether the board was reset; the recording has a gap there"});
+                {"clock_restarted", "the device clock restarted: the time before this row is unknown",
+                 "check whether the device was reset; the recording has a gap here"});
         }
         result.trigger_s = m_triggered ? std::optional(m_triggered->trigger_s()) : std::nullopt;
         return result;

@@ -19,7 +19,7 @@ double differenceOf(double time_s, double first_s) {
 
 Result<TriggeredRows> TriggeredRows::create(const RecordTrigger& trigger, RowSink then) {
     if (trigger.event.kind != CaptureTrigger::Kind::Level) {
-        return failure(ErrorCode::Usage, "a stream's recording waits for a signal's level",
+        return failure(ErrorCode::Usage, "the recording of a stream needs a level trigger",
                        "give --trigger SIGNAL>LEVEL or SIGNAL<LEVEL; now and reference belong to --capture");
     }
     if (!std::isfinite(trigger.preTrigger_s) || trigger.preTrigger_s < 0.0) {
@@ -51,7 +51,7 @@ Result<void> TriggeredRows::take(const SampleBlock& block) {
     if (m_event_s) {
         return give(block);
     }
-    m_held.add(std::make_shared<SampleBlock>(block));
+    m_held.add(std::make_shared<const SampleBlock>(block));
     const std::vector<control::TriggerEvent> events = m_trigger.take(block);
     if (events.empty()) {
         return {};
@@ -59,9 +59,9 @@ Result<void> TriggeredRows::take(const SampleBlock& block) {
     m_event_s = events.front().time_s;
     // The row behind an event lies on or after it, so that there always is a first one. Half a nanosecond: a
     // row that lies where the stretch begins is in it, however its time was rounded.
-    for (const SampleBlockPtr& part : m_held.from(*m_event_s - m_preTrigger_s - 5e-10)) {
-        m_first_s = m_first_s.value_or(part->time_s.front());
-        if (const Result<void> given = give(*part); !given) {
+    for (const TimedBlock& part : m_held.from(*m_event_s - m_preTrigger_s - 5e-10)) {
+        m_first_s = m_first_s.value_or(part.begin_s());
+        if (const Result<void> given = give(*part.block); !given) {
             return given;
         }
     }

@@ -22,9 +22,9 @@ Result<void> checkRows(const RelayRun& run) {
     const double expected_s = static_cast<double>(run.endRow - run.firstRow - 1) * run.period_s;
     if (!isThere ||
         std::abs(time_s[run.endRow - 1] - time_s[run.firstRow] - expected_s) > 0.5 * run.period_s) {
-        return failure(withCause(
-            {ErrorCode::Refused, "rows are missing: the cycles do not fit together", "measure again"},
-            run.rowLoss));
+        return failure(
+            withCause({ErrorCode::Refused, "rows missing: the cycles are not consistent", "measure again"},
+                      run.rowLoss));
     }
     return {};
 }
@@ -63,18 +63,17 @@ void doubt(RelayResult& result, Finding finding) {
 void judgeCycle(RelayResult& result) {
     const double growth = result.cycle.growth_ratio;
     if (!(result.cycle.frequencyScatter_ratio <= MostScatter_ratio)) {
-        refuse(result,
-               {"cycle_follows_turn",
-                fmt::format("the cycle's frequency wanders by {:.2g} %: the angle's errors drive it with "
-                            "the turn, {:.2g} % are allowed",
-                            100.0 * result.cycle.frequencyScatter_ratio, 100.0 * MostScatter_ratio),
-                "calibrate the sensors and apply it, then measure again"});
+        refuse(result, {"cycle_follows_turn",
+                        fmt::format("frequency drift of the oscillation {:.2g} %: excited by angle errors "
+                                    "during rotation, allowed {:.2g} %",
+                                    100.0 * result.cycle.frequencyScatter_ratio, 100.0 * MostScatter_ratio),
+                        "calibrate the sensors, apply the calibration, then measure again"});
     } else if (!(growth < MostGrowth_ratio && growth > 1.0 / MostGrowth_ratio)) {
         refuse(result,
                {"cycle_not_settled",
-                fmt::format("the cycle's amplitude changes by {:.3g} % from the first third to the last",
+                fmt::format("amplitude change of the oscillation {:.3g} % from the first third to the last",
                             100.0 * (growth - 1.0)),
-                "measure more cycles, or give the relay a larger gain; calibrate the sensors first"});
+                "measure more cycles or use a larger relay gain; calibrate the sensors first"});
     }
 }
 
@@ -82,14 +81,13 @@ void judgeGain(RelayResult& result) {
     const control::UltimateEstimate& ultimate = *result.ultimate;
     const double half = halfWidth_ratio(ultimate);
     if (!(half <= RefusedHalf_ratio)) {
-        refuse(result,
-               {"ultimate_gain_uncertain",
-                fmt::format("the ultimate gain lies between {:.3g} and {:.3g} A/rad: that is no answer",
-                            ultimate.gain95.first, ultimate.gain95.second),
-                "measure more cycles; calibrate the sensors first"});
+        refuse(result, {"ultimate_gain_uncertain",
+                        fmt::format("ultimate gain between {:.3g} and {:.3g} A/rad: too uncertain",
+                                    ultimate.gain95.first, ultimate.gain95.second),
+                        "measure more cycles; calibrate the sensors first"});
     } else if (half > DoubtfulHalf_ratio) {
         doubt(result, {"ultimate_gain_uncertain",
-                       fmt::format("the ultimate gain is known to {:.2g} % only", 100.0 * half),
+                       fmt::format("uncertainty of the ultimate gain {:.2g} %", 100.0 * half),
                        "measure more cycles; calibrate the sensors first"});
     }
 }
@@ -105,10 +103,9 @@ void judgeAgreement(RelayResult& result) {
     if (isApart) {
         doubt(result,
               {"disagrees_with_model",
-               fmt::format("the model foresees an ultimate gain of {:.4g} to {:.4g} A/rad, measured were "
-                           "{:.4g} to {:.4g}",
+               fmt::format("ultimate gain of the model {:.4g} to {:.4g} A/rad, measured {:.4g} to {:.4g}",
                            predicted95->first, predicted95->second, low, high),
-               "identify the motor again: it has changed, or one of the two is wrong"});
+               "identify the motor again: it changed, or one of the results is wrong"});
     }
 }
 
@@ -165,8 +162,8 @@ void judgeRelay(RelayResult& result) {
         result.quality.findings.push_back(
             {"model_without_interval",
              result.plan.predicted.isOfThisMotor
-                 ? "whether it agrees with the model is not known: the model has no covariance"
-                 : "it was compared with no model of this motor",
+                 ? "agreement with the model unknown: the model has no covariance"
+                 : "not compared with a model of this motor",
              "identify the motor and give its model"});
     }
 }

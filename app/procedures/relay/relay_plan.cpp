@@ -39,10 +39,10 @@ Result<void> checkConfig(const RelayConfig& config, const RelayBoard& board) {
                            fastestBase_rad_s(config));
     }
     if (valid && config.limit_A) {
-        valid = checkRange("height of the relay in A", *config.limit_A, 0.01, board.currentLimit_A);
+        valid = checkRange("relay amplitude in A", *config.limit_A, 0.01, board.currentLimit_A);
     }
     return valid && config.gain_A_per_rad
-               ? checkRange("gain of the relay in A/rad", *config.gain_A_per_rad, 0.01, 2000)
+               ? checkRange("relay gain in A/rad", *config.gain_A_per_rad, 0.01, 2000)
                : valid;
 }
 
@@ -55,7 +55,7 @@ MotorEstimate publishedMotor() {
     return motor;
 }
 
-control::HeldRotor rotorOf(const control::PositionPlant& plant, double lag_s) {
+control::SampledPlantModel rotorOf(const control::PositionPlant& plant, double lag_s) {
     return {plant.dampingRate_1_s, plant.accelerationGain_rad_s2_A, lag_s, 0.0};
 }
 
@@ -181,20 +181,17 @@ bool takeHighest(RelayPlan& plan, const control::PositionPlant& plant, const Rel
 }
 
 tl::unexpected<Error> noSafeSwing(const RelayConfig& config) {
-    return failure(
-        ErrorCode::OutOfRange,
-        config.base_rad_s
-            ? fmt::format(
-                  "on a base of {:.3g} rad/s no relay swings the loop by {:.2g} rad without bringing the "
-                  "rotor near standstill or above {:.3g} rad/s",
-                  *config.base_rad_s, LeastAmplitude_rad, MostSpeed_ratio * config.speedLimit_rad_s)
-            : fmt::format(
-                  "no base speed from {:.3g} to {:.3g} rad/s lets a relay swing the loop by {:.2g} rad "
-                  "without bringing the rotor near standstill",
-                  SlowestBase_rad_s, fastestBase_rad_s(config), LeastAmplitude_rad),
-        "leave base speed and height of the relay to the program, allow a higher speed or more current, or "
-        "use "
-        "the model of this motor");
+    return failure(ErrorCode::OutOfRange,
+                   config.base_rad_s
+                       ? fmt::format("at a base speed of {:.3g} rad/s no relay gives an oscillation of "
+                                     "{:.2g} rad without nearing standstill or {:.3g} rad/s",
+                                     *config.base_rad_s, LeastAmplitude_rad,
+                                     MostSpeed_ratio * config.speedLimit_rad_s)
+                       : fmt::format("no base speed from {:.3g} to {:.3g} rad/s allows an oscillation of "
+                                     "{:.2g} rad without nearing standstill",
+                                     SlowestBase_rad_s, fastestBase_rad_s(config), LeastAmplitude_rad),
+                   "omit base speed and relay amplitude, allow a higher speed or more current, or use the "
+                   "model of this motor");
 }
 
 } // namespace

@@ -5,9 +5,9 @@
 #include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
+#include "app/procedures/excite/guarded_rotation.h"
 #include "app/procedures/excite/move_reference.h"
 #include "app/procedures/excite/spin_drive.h"
-#include "app/procedures/excite/watched_turn.h"
 #include "app/procedures/frequency/frequency_board.h"
 #include "app/procedures/relay/relay_judge.h"
 #include "app/procedures/relay/relay_plan.h"
@@ -41,7 +41,8 @@ public:
         : m_device(device), m_outer(observer), m_run(run),
           m_turn(device, observer,
                  {run.plan.turn_rad_s, run.plan.predicted.highest_rad_s,
-                  "calibrate the sensors and apply it, use the model of this motor, or a lower relay"}) {}
+                  "calibrate the sensors and apply the calibration, use the model of this motor, or a "
+                  "smaller relay amplitude"}) {}
 
     Result<void> drive(double speedWindow_rad_s) {
         Result<Recording> recording =
@@ -61,14 +62,14 @@ private:
         const RelayPlan& plan = m_run.plan;
         Result<void> done = startGenerator(m_device, weaving(plan), plan.duration_s() + 2.0 * OnTheWay_s);
         const double share = plan.runUp_s / plan.duration_s();
-        done =
-            done ? waitObserved(m_device, m_turn.observer(), plan.runUp_s + OnTheWay_s, 0.0, share, "runs up")
-                 : done;
+        done = done ? waitObserved(m_device, m_turn.observer(), plan.runUp_s + OnTheWay_s, 0.0, share,
+                                   "running up")
+                    : done;
         done = done ? enterState(m_outer, ProcedureState::Record) : done;
         m_turn.beginWatch();
         m_run.firstRow = m_turn.rows();
         done = done ? waitObserved(m_device, m_turn.observer(), plan.measured_s + OnTheWay_s, share, 1.0,
-                                   "swings around a steady motion")
+                                   "oscillation around a steady motion")
                     : done;
         m_run.endRow = m_turn.rows();
         return done ? m_device.disarm() : done;
@@ -77,7 +78,7 @@ private:
     devices::Device& m_device;
     const ProcedureObserver& m_outer;
     RelayRun& m_run;
-    WatchedTurn m_turn;
+    GuardedRotation m_turn;
 };
 
 /// Proportional control that saturates, in mode position; everything else of the law is nothing.
@@ -190,6 +191,9 @@ control::Estimate ultimatePeriodOf(const RelayResult& result) {
 }
 
 Result<RelayPlan> planRelayOn(devices::Device& device, const RelayConfig& config) {
+    if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
+        return failure(offered.error());
+    }
     const auto board = readBoard(device);
     return board ? planRelay(config, *board) : failure(board.error());
 }
@@ -198,6 +202,9 @@ Result<RelayResult> runRelay(devices::Device& device, const RelayConfig& config,
                              const ProcedureObserver& observer) {
     if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
         return failure(offered.error());
+    }
+    if (auto turns = checkTurnsForever(device.catalogue()); !turns) {
+        return failure(turns.error());
     }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
         return failure(entered.error());

@@ -1,9 +1,11 @@
 #include "app/procedures/tune/analyse.h"
 
+#include "app/procedures/base/doubtful_source.h"
+#include "app/procedures/tune/filtered_analysis.h"
 #include "app/procedures/tune/large_step.h"
+#include "app/procedures/tune/loop_axis.h"
 #include "app/procedures/tune/loop_prediction.h"
-#include "app/procedures/tune/shaped_analysis.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 
 #include <algorithm>
 
@@ -27,7 +29,7 @@ Result<AnalysisResult> predictLoop(const control::PositionPlant& plant, const Pi
     if (!openLoop) {
         return failure(openLoop.error());
     }
-    control::ShapedLaw law;
+    control::FilteredLaw law;
     law.gains = gains;
     const auto factors = control::deltaOpenLoop(plant, law, timing);
     if (!factors) {
@@ -41,6 +43,18 @@ Result<AnalysisResult> predictLoop(const control::PositionPlant& plant, const Pi
         control::proportionalLimit_A_per_rad(plant, timing, gains.derivative);
     result.highFrequencyGain_A_per_rad = gains.proportional + gains.derivative / timing.period_s;
     return result;
+}
+
+void addMotorWarnings(AnalysisResult& result, const PidGains& gains, const LoopConditions& conditions,
+                      std::optional<double> later) {
+    addStabilityWarnings(result, gains.proportional);
+    if (later) {
+        addDelayWarning(result, *later);
+    }
+    addFrictionWarning(result, gains.integral > 0.0);
+    addStrayWarning(result, conditions.stray);
+    addSaturationNote(result, std::max(gains.proportional, peakCurrent_A(result.stepCurve)),
+                      conditions.currentLimit_A);
 }
 
 Result<AnalysisResult> analyseBoard(const control::PositionPlant& plant, const control::PositionLaw& given,
@@ -59,21 +73,20 @@ Result<AnalysisResult> analyseBoard(const control::PositionPlant& plant, const c
     }
     const auto stepped =
         result->isStable ? stepLoop(*result, plant, gains, conditions.timing) : Result<void>{};
-    const auto largeStep = predictLargeStep(plant, given, conditions, LargeStepHeight_rad);
+    const auto largeStep = predictLargeStep(plant, given, conditions, largeStepHeight(conditions));
     if (!stepped || !largeStep) {
         return failure(stepped ? largeStep.error() : stepped.error());
     }
     result->largeStep = *largeStep;
     result->frictionBand_rad = control::frictionBand_rad(plant, given);
-    addStabilityWarnings(*result, gains.proportional);
     const control::LoopTiming oneLater{conditions.timing.period_s, conditions.timing.delay_samples + 1};
-    if (const auto later = control::sampledOpenLoop(plant, gains, oneLater)) {
-        addDelayWarning(*result, control::poleRadius(*later));
+    const auto later = control::sampledOpenLoop(plant, gains, oneLater);
+    const auto laterRadius = later ? std::optional(control::poleRadius(*later)) : std::nullopt;
+    if (conditions.axis) {
+        addAxisWarnings(*result, *conditions.axis, conditions.currentLimit_A, laterRadius);
+    } else {
+        addMotorWarnings(*result, gains, conditions, laterRadius);
     }
-    addFrictionWarning(*result, gains.integral > 0.0);
-    addStrayWarning(*result, conditions.stray);
-    addSaturationNote(*result, std::max(gains.proportional, peakCurrent_A(result->stepCurve)),
-                      conditions.currentLimit_A);
     result->quality.verdict = result->isStable ? Verdict::Good : Verdict::Doubtful;
     result->quality.findings = result->warnings;
     return result;
@@ -87,7 +100,15 @@ Result<AnalysisResult> runAnalysis(const MotorEstimate& estimate, const LoopLaw&
     if (!plant) {
         return failure(plant.error());
     }
-    return law.shaped ? analyseShaped(*plant, law, conditions) : analyseBoard(*plant, law.law, conditions);
+    auto result =
+        law.filtered ? analyseFiltered(*plant, law, conditions) : analyseBoard(*plant, law.law, conditions);
+    if (result) {
+        for (const auto& doubts : {estimate.doubts, conditions.doubts}) {
+            addDoubts(result->quality, doubts);
+            result->warnings.insert(result->warnings.end(), doubts.begin(), doubts.end());
+        }
+    }
+    return result;
 }
 
 } // namespace halbench::app

@@ -25,7 +25,8 @@ struct MotorEstimate {
     std::map<std::string, double> values;
     std::vector<std::string> covarianceNames;
     std::vector<std::vector<double>> covariance;
-    MeasuredTiming timing = {}; ///< of the loop that it was measured with
+    MeasuredTiming timing = {};       ///< of the loop that it was measured with
+    std::vector<Finding> doubts = {}; ///< of its measurement (doubtsOfModel)
 };
 
 /// What the loop design knows of the sensing: how well the stray field of the coils is compensated.
@@ -38,11 +39,27 @@ struct StrayField {
     bool operator==(const StrayField&) const = default;
 };
 
+/// One axis of a device with several. Where a loop has one, every number that is named in rad or A, of the
+/// conditions, the law and the results, is in the units of the axis instead.
+struct LoopAxis {
+    std::string id;
+    std::string positionUnit = "rad";
+    std::string effortUnit = "A";
+    double designFrequency_rad_s = 0.0; ///< of a recommended loop; 0: as fast as its delays allow at ease
+    double testStep = 0.5;              ///< of the reference, with friction and effort limit
+
+    /// A step that suits most axes of this unit.
+    static double usualStep(const std::string& positionUnit);
+    bool operator==(const LoopAxis&) const = default;
+};
+
 /// The surroundings of the loop on one device.
 struct LoopConditions {
     control::LoopTiming timing;
     double currentLimit_A = 4.0;
     std::optional<StrayField> stray;
+    std::optional<LoopAxis> axis = {}; ///< absent: the loop of a motor
+    std::vector<Finding> doubts = {};  ///< of what else was measured, e.g. doubtsOfCalibration
 
     bool operator==(const LoopConditions&) const = default;
 };
@@ -62,6 +79,9 @@ struct LargeStep {
 };
 
 constexpr double LargeStepHeight_rad = 1.7453292519943295; ///< 100 degrees
+inline double largeStepHeight(const LoopConditions& conditions) {
+    return conditions.axis ? conditions.axis->testStep : LargeStepHeight_rad;
+}
 constexpr double RootLocusMost_ratio = 4.0;
 
 /// Everything predicted for one motor and one law, always on the sampled loop with the device's delay.

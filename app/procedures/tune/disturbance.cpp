@@ -1,7 +1,7 @@
 #include "app/procedures/tune/disturbance.h"
 
 #include "app/procedures/tune/loop_uncertainty.h"
-#include "control/assess/shaped_loop.h"
+#include "control/assess/filtered_loop.h"
 
 #include <algorithm>
 #include <utility>
@@ -17,8 +17,8 @@ std::optional<control::LoadStep> disturbanceStep(const MotorEstimate& estimate, 
     }
     const double end_s = analysed.stepCurve.time_s.back();
     const int points = analysed.stepCurve.pointsPerSample; // those of the step: the two share a time axis
-    auto step = law.shaped
-                    ? control::shapedLoad(*plant, *law.shaped, conditions.timing, load_A, end_s, points)
+    auto step = law.filtered
+                    ? control::filteredLoad(*plant, *law.filtered, conditions.timing, load_A, end_s, points)
                     : control::loadStep(*plant, law.law.gains, conditions.timing, load_A, end_s, points);
     return step ? std::optional(*std::move(step)) : std::nullopt;
 }
@@ -33,8 +33,9 @@ std::optional<Disturbance> disturbanceOf(const MotorEstimate& estimate, const Lo
         return std::nullopt;
     }
     Disturbance disturbance{load_A, *std::move(step), {}};
-    auto band = plants.empty() ? Result<control::LoadBand>(failure(ErrorCode::Refused, ""))
-                               : loadBandOf(plants, law, conditions.timing, load_A,
+    auto band = plants.empty()
+                    ? Result<control::DisturbanceEnvelope>(failure(ErrorCode::Refused, ""))
+                    : disturbanceEnvelopeOf(plants, law, conditions.timing, load_A,
                                             {analysed.stepCurve.time_s.back(), pointsPerSample, ShownPoints});
     if (band) {
         disturbance.band = *std::move(band);

@@ -2,7 +2,7 @@
 
 #include "app/procedures/tune/analyse.h"
 #include "control/assess/load_step.h"
-#include "control/robustness/load_band.h"
+#include "control/robustness/disturbance_envelope.h"
 
 #include <optional>
 #include <vector>
@@ -23,7 +23,7 @@ std::optional<control::LoadStep> disturbanceStep(const MotorEstimate& estimate, 
 struct Disturbance {
     double load_A = DisturbanceLoad_A;
     control::LoadStep step;
-    std::optional<control::LoadBand> band; ///< nothing: the motor's uncertainty is not known
+    std::optional<control::DisturbanceEnvelope> band; ///< nothing: the motor's uncertainty is not known
 };
 /// The same with the motors of `plants`, none of them for a motor without covariance. Nothing for an unstable
 /// loop.

@@ -13,13 +13,13 @@ namespace halbench::app {
 
 Result<control::SampledPositionLaw> simulatedLaw(const LoopLaw& law, const LoopConditions& conditions) {
     const auto checked =
-        law.shaped ? Result<control::PidGains>(law.shaped->gains) : control::boardGains(law.law.gains);
+        law.filtered ? Result<control::PidGains>(law.filtered->gains) : control::boardGains(law.law.gains);
     if (!checked) {
         return failure(checked.error());
     }
-    control::ShapedLaw shaped = asShaped(law);
-    shaped.gains = *checked;
-    return control::boardLaw(shaped, law.law, conditions.timing, conditions.currentLimit_A);
+    control::FilteredLaw filtered = asFiltered(law);
+    filtered.gains = *checked;
+    return control::boardLaw(filtered, law.law, conditions.timing, conditions.currentLimit_A);
 }
 
 Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const LoopLaw& law,
@@ -32,7 +32,7 @@ Result<LargeStep> predictLargeStep(const control::PositionPlant& plant, const Lo
     constexpr double ShortestPeriod_s = 1e-5; // two million rows in 20 s
     if (conditions.timing.period_s < ShortestPeriod_s) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("a step of {:.0f} s is not simulated with a sampling period of {} s",
+                       fmt::format("a step of {:.0f} s cannot be simulated with a sampling period of {} s",
                                    duration_s, conditions.timing.period_s),
                        fmt::format("give a period of {} s or more", ShortestPeriod_s));
     }

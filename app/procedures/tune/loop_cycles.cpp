@@ -3,7 +3,7 @@
 #include "control/assess/friction_cycles.h"
 #include "control/base/units.h"
 #include "control/law/board_gains.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ predictCycles(const control::PositionPlant& plant, const LoopLaw& law, const Loo
         return std::nullopt;
     }
     const double period_s = conditions.timing.period_s;
-    const auto controller = control::deltaController(asShaped(law), period_s);
+    const auto controller = control::deltaController(asFiltered(law), period_s);
     if (!controller) {
         return std::nullopt;
     }
@@ -43,11 +43,11 @@ std::optional<Finding> cycleWarning(const std::vector<PredictedCycle>& cycles) {
     const std::string from =
         swing == cycles.begin()
             ? std::string("any motion")
-            : fmt::format("a swing beyond +-{:.2g} deg", radiansToDegrees((swing - 1)->amplitude_rad));
+            : fmt::format("an oscillation above +-{:.2g} deg", radiansToDegrees((swing - 1)->amplitude_rad));
     return Finding{"limit_cycle",
-                   fmt::format("{} grows into a lasting one of about +-{:.2g} deg at {:.2g} Hz", from,
+                   fmt::format("{} grows into a limit cycle of about +-{:.2g} deg at {:.2g} Hz", from,
                                radiansToDegrees(swing->amplitude_rad), swing->frequency_Hz),
-                   "keep to small steps, or choose a smaller K_P"};
+                   "use small steps only, or a smaller K_P"};
 }
 
 double releaseTime_s(const control::PositionPlant& plant, const control::PositionLaw& law,

@@ -2,13 +2,13 @@
 
 #include "app/procedures/tune/loop_prediction.h"
 #include "control/law/board_gains.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 
 namespace halbench::app {
 
 Result<LoopLaw> checkedLaw(const LoopLaw& law, double period_s) {
     const auto gains =
-        law.shaped ? control::checkedGains(*law.shaped, period_s) : control::boardGains(law.law.gains);
+        law.filtered ? control::checkedGains(*law.filtered, period_s) : control::boardGains(law.law.gains);
     const auto positive = gains ? checkPositionGains(*gains) : failure(gains.error());
     if (!positive) {
         return failure(positive.error());
@@ -16,30 +16,30 @@ Result<LoopLaw> checkedLaw(const LoopLaw& law, double period_s) {
     control::PositionLaw board = law.law;
     board.gains = *gains;
     board.gains.filter_s.reset();
-    if (!law.shaped) {
+    if (!law.filtered) {
         return LoopLaw(board);
     }
-    control::ShapedLaw shaped = *law.shaped;
-    shaped.gains = *gains;
-    return LoopLaw(board, std::move(shaped));
+    control::FilteredLaw filtered = *law.filtered;
+    filtered.gains = *gains;
+    return LoopLaw(board, std::move(filtered));
 }
 
-control::ShapedLaw asShaped(const LoopLaw& law) {
-    if (law.shaped) {
-        return *law.shaped;
+control::FilteredLaw asFiltered(const LoopLaw& law) {
+    if (law.filtered) {
+        return *law.filtered;
     }
-    control::ShapedLaw board;
+    control::FilteredLaw board;
     board.gains = law.law.gains;
     return board;
 }
 
 control::PositionLaw lawAtRest(const LoopLaw& law, double period_s) {
     control::PositionLaw resting = law.law;
-    if (!law.shaped) {
+    if (!law.filtered) {
         return resting;
     }
-    const auto gains = control::checkedGains(*law.shaped, period_s);
-    const auto filters_ratio = control::filterGainAtRest(law.shaped->filters);
+    const auto gains = control::checkedGains(*law.filtered, period_s);
+    const auto filters_ratio = control::filterGainAtRest(law.filtered->filters);
     if (gains && filters_ratio) {
         resting.gains = *gains;
         resting.gains.proportional *= *filters_ratio;

@@ -1,22 +1,22 @@
 #pragma once
 
+#include "control/law/filtered_law.h"
 #include "control/law/position_loop.h"
-#include "control/law/shaped_law.h"
 
 #include <optional>
 #include <utility>
 
 namespace halbench::app {
 
-/// What controls the loop: the board's law or, where `shaped` is there, one with set-point weights and
-/// filters that no board runs. Then its gains are those of `shaped`, and `law` has the parts beside them.
+/// What controls the loop: the board's law or, where `filtered` is there, one with set-point weights and
+/// filters that no board runs. Then its gains are those of `filtered`, and `law` has the parts beside them.
 struct LoopLaw {
     control::PositionLaw law;
-    std::optional<control::ShapedLaw> shaped;
+    std::optional<control::FilteredLaw> filtered;
 
     /// Implicit: wherever a loop is asked for, the board's law is one.
-    LoopLaw(control::PositionLaw own = {}, std::optional<control::ShapedLaw> shaping = {})
-        : law(std::move(own)), shaped(std::move(shaping)) {}
+    LoopLaw(control::PositionLaw own = {}, std::optional<control::FilteredLaw> shaping = {})
+        : law(std::move(own)), filtered(std::move(shaping)) {}
 
     bool operator==(const LoopLaw&) const = default;
 };
@@ -26,7 +26,7 @@ struct LoopLaw {
 Result<LoopLaw> checkedLaw(const LoopLaw& law, double period_s);
 
 /// As a law with shaping, of which the board's has none.
-control::ShapedLaw asShaped(const LoopLaw& law);
+control::FilteredLaw asFiltered(const LoopLaw& law);
 
 /// What friction and integral see at rest: there the filters are their gain for a constant.
 control::PositionLaw lawAtRest(const LoopLaw& law, double period_s);

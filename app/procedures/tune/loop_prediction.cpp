@@ -27,18 +27,16 @@ void takeDominantPair(AnalysisResult& result, const control::TimeBase& base) {
 /// Which way the gain has to go, all gains together.
 std::string stabilityHint(const std::optional<control::StableGains>& stable) {
     if (!stable) {
-        return "only friction and the current limit bound it, and no common factor on these gains makes it "
-               "stable: change their ratio or the filters, or use method recommended";
+        return "only friction and the current limit bound the motion, and no common factor on these gains "
+               "gives stability: change their ratio or the filters, or use method recommended";
     }
     return stable->to_ratio <= 1.0
-               ? fmt::format(
-                     "only friction and the current limit bound it; below {:.3g} times these gains it "
-                     "is stable: lower K_P, or use method recommended",
-                     stable->to_ratio)
-               : fmt::format(
-                     "only friction and the current limit bound it; above {:.3g} times these gains it "
-                     "is stable: raise them, or use method recommended",
-                     stable->from_ratio);
+               ? fmt::format("only friction and the current limit bound the motion; stable below {:.3g} "
+                             "times these gains: reduce K_P, or use method recommended",
+                             stable->to_ratio)
+               : fmt::format("only friction and the current limit bound the motion; stable above {:.3g} "
+                             "times these gains: increase them, or use method recommended",
+                             stable->from_ratio);
 }
 
 /// From 5000 times below the Nyquist frequency, and a decade below the lowest crossing.
@@ -148,10 +146,9 @@ void withholdStep(AnalysisResult& result) {
     result.warnings.push_back(
         {"step_too_long",
          fmt::format(
-             "the step has no figures: its slowest part decays by {:.3g} in a sample, far longer than "
-             "what is simulated",
+             "no figures of the step: its slowest part decays by {:.3g} per sample, too slow to simulate",
              1.0 - result.poleRadius),
-         "choose gains with faster poles, or a longer sampling period"});
+         "use gains with faster poles, or a longer sampling period"});
 }
 
 double peakCurrent_A(const AnalysisResult::Step& step) {
@@ -179,7 +176,7 @@ Result<void> checkConditions(const LoopConditions& conditions) {
 Result<void> checkPositionGains(const control::PidGains& parallel) {
     if (parallel.proportional <= 0.0 || parallel.integral < 0.0 || parallel.derivative < 0.0) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("K_P = {:.4g}, K_I = {:.4g}, K_D = {:.4g} is no position loop",
+                       fmt::format("K_P = {:.4g}, K_I = {:.4g}, K_D = {:.4g} is not a valid position loop",
                                    parallel.proportional, parallel.integral, parallel.derivative),
                        "K_P must be positive, K_I and K_D not negative");
     }
@@ -192,23 +189,25 @@ void addStabilityWarnings(AnalysisResult& result, double proportional_A_per_rad)
             {"unstable", fmt::format("the sampled loop is unstable: pole radius {:.4f}", result.poleRadius),
              stabilityHint(result.stableGains)});
     }
-    if (proportional_A_per_rad > result.proportionalLimit_A_per_rad) {
+    // A limit of zero is none: K_D alone makes the loop unstable, which `unstable` says.
+    if (result.proportionalLimit_A_per_rad > 0.0 &&
+        proportional_A_per_rad > result.proportionalLimit_A_per_rad) {
         result.warnings.push_back(
             {"above_sampled_limit",
              fmt::format(
                  "K_P = {:.4g} A/rad is {:.3g} times the limit of {:.4g} A/rad at this sampling and delay",
                  proportional_A_per_rad, proportional_A_per_rad / result.proportionalLimit_A_per_rad,
                  result.proportionalLimit_A_per_rad),
-             "the rotor rests and makes small steps at best; large steps end in a limit cycle"});
+             "the rotor makes at best small steps; large steps end in a limit cycle"});
     }
     constexpr double LittleDamping_ratio = 0.15;
     if (result.isStable && result.dominantDamping_ratio.value_or(1.0) < LittleDamping_ratio) {
         result.warnings.push_back(
             {"little_damping",
              fmt::format(
-                 "the loop is nearly undamped (zeta = {:.3g} at {:.4g} rad/s): only friction damps it",
+                 "the loop is nearly undamped (zeta = {:.3g} at {:.4g} rad/s): damping is by friction only",
                  *result.dominantDamping_ratio, *result.dominantFrequency_rad_s),
-             "a PI loop cannot do better on this motor; derivative action can: method recommended"});
+             "a PI loop has little damping on this motor; add derivative action: method recommended"});
     }
     constexpr double LeastPhaseMargin_deg = 20.0;
     constexpr double LeastGainMargin_ratio = 1.5;
@@ -217,9 +216,9 @@ void addStabilityWarnings(AnalysisResult& result, double proportional_A_per_rad)
          std::abs(std::log(result.margins.gainMargin_ratio)) < std::log(LeastGainMargin_ratio))) {
         result.warnings.push_back(
             {"small_margin",
-             fmt::format("small margins: {:.3g} deg of phase, a factor {:.3g} of gain",
+             fmt::format("small margins: phase {:.3g} deg, gain factor {:.3g}",
                          result.margins.phaseMargin_deg, result.margins.gainMargin_ratio),
-             "the usual least are 30 deg and a factor 2"});
+             "usual minimum: 30 deg and factor 2"});
     }
 }
 
@@ -227,9 +226,9 @@ void addDelayWarning(AnalysisResult& result, double poleRadiusOneSampleLater) {
     if (result.isStable && poleRadiusOneSampleLater >= 1.0) {
         result.warnings.push_back(
             {"delay_sensitive",
-             fmt::format("one more sample of delay makes this loop unstable: its delay margin is {:.3g} ms",
+             fmt::format("one more sample of delay makes this loop unstable: delay margin {:.3g} ms",
                          1e3 * result.margins.delayMargin_s),
-             "make sure that the delay is known (delay.samples), or choose a slower loop"});
+             "check the delay (delay.samples), or use a slower loop"});
     }
 }
 
@@ -241,10 +240,9 @@ void addFrictionWarning(AnalysisResult& result, bool hasIntegral) {
         result.warnings.push_back(
             {"friction_band",
              fmt::format("friction holds the rotor within +-{:.3g} deg of the reference", band_deg),
-             hasIntegral
-                 ? "only the integral removes the rest, slowly; the micro-step assist or a larger K_P "
-                   "narrows the band"
-                 : "the micro-step assist or a larger K_P narrows the band"});
+             hasIntegral ? "only the integral action removes the standstill error, slowly; the micro-step "
+                           "assist or a larger K_P narrows the band"
+                         : "the micro-step assist or a larger K_P narrows the band"});
     }
 }
 
@@ -260,8 +258,8 @@ void addStrayWarning(AnalysisResult& result, const std::optional<StrayField>& st
         if (perTesla * coefficient_T_per_A >= WarnFrom_ratio) {
             result.warnings.push_back(
                 {"stray_field_not_compensated",
-                 "the stray field of the coils is not compensated and feeds the current back "
-                 "into the angle: this gain can make it alternate every sample",
+                 "the stray field of the coils is not compensated and couples the current into the angle: "
+                 "with this gain the loop can alternate every sample",
                  "switch the compensation on (stray.enabled)"});
         }
         return;
@@ -269,8 +267,8 @@ void addStrayWarning(AnalysisResult& result, const std::optional<StrayField>& st
     if (!stray->error_T_per_A) {
         if (allowed_percent < 100.0) {
             result.warnings.push_back({"stray_field_not_calibrated",
-                                       fmt::format("this gain needs the stray coefficient to better than "
-                                                   "{:.0f} %, and its error is not known",
+                                       fmt::format("this gain requires a stray coefficient known to better "
+                                                   "than {:.0f} %; its error is unknown",
                                                    allowed_percent),
                                        "calibrate the stray field first"});
         }
@@ -279,7 +277,7 @@ void addStrayWarning(AnalysisResult& result, const std::optional<StrayField>& st
     if (perTesla * std::abs(*stray->error_T_per_A) >= WarnFrom_ratio) {
         result.warnings.push_back(
             {"stray_field_error",
-             fmt::format("the stray coefficient is known to {:.0f} %, this gain needs better than {:.0f} %",
+             fmt::format("error of the stray coefficient {:.0f} %, this gain requires less than {:.0f} %",
                          100.0 * std::abs(*stray->error_T_per_A) / coefficient_T_per_A, allowed_percent),
              "calibrate the stray field again, or lower the gains"});
     }
@@ -291,22 +289,20 @@ void addSaturationNote(AnalysisResult& result, double perRadian_A, double curren
     constexpr double NotableOvershoot_percent = 15.0;
     const auto overshoot_percent = result.largeStep->overshoot_percent();
     if (result.isStable && !overshoot_percent) {
-        result.warnings.push_back(
-            {"large_step_not_arrived",
-             fmt::format("with friction and the current limit a step of {:.0f} deg is not there after "
-                         "{:.3g} s: how far it overshoots is not known",
-                         height_deg, result.largeStep->duration_s()),
-             "choose a faster loop, or one with more integral action"});
+        result.warnings.push_back({"large_step_not_arrived",
+                                   fmt::format("with friction and current limit a step of {:.0f} deg is not "
+                                               "settled after {:.3g} s: overshoot unknown",
+                                               height_deg, result.largeStep->duration_s()),
+                                   "use a faster loop, or one with more integral action"});
     }
     if (result.isStable && overshoot_percent.value_or(0.0) > NotableOvershoot_percent &&
         largest_deg < height_deg) {
         result.warnings.push_back(
             {"large_steps_overshoot",
-             fmt::format("steps above {:.3g} deg reach the current limit of {:.3g} A; with it and with "
-                         "friction a step "
-                         "of {:.0f} deg overshoots by {:.3g} %",
+             fmt::format("steps above {:.3g} deg reach the current limit of {:.3g} A; with limit and "
+                         "friction a step of {:.0f} deg overshoots by {:.3g} %",
                          largest_deg, currentLimit_A, height_deg, *overshoot_percent),
-             "lead large moves along a ramp, or choose a slower loop"});
+             "use a ramp for large moves, or a slower loop"});
     }
 }
 
@@ -314,14 +310,15 @@ void addRobustnessWarnings(std::vector<Finding>& warnings, const control::Robust
                            bool hasCovariance) {
     if (!hasCovariance) {
         warnings.push_back({"model_without_covariance",
-                            "the model has no covariance: robustness is that of an exactly known motor",
+                            "the model has no covariance: robustness assumes an exactly known motor",
                             "identify the motor to get its uncertainty"});
     }
     if (isStable && robust.unstable_fraction > 0.0) {
-        warnings.push_back({"not_robust",
-                            fmt::format("{:.3g} % of the motors that the data allow make this loop unstable",
-                                        100.0 * robust.unstable_fraction),
-                            "identify more precisely, or choose a slower loop"});
+        warnings.push_back(
+            {"not_robust",
+             fmt::format("{:.3g} % of the motors within the model's uncertainty are unstable with this loop",
+                         100.0 * robust.unstable_fraction),
+             "identify more precisely, or choose a slower loop"});
     }
 }
 

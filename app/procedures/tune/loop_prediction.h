@@ -4,7 +4,7 @@
 
 namespace halbench::app {
 
-// What an open loop tells, of the board's law or of a shaped one.
+// What an open loop tells, of the board's law or of a filtered one.
 
 /// Stability, margins, crossings, the dominant pair, frequency response and root locus; `closedLoop` are the
 /// poles of the loop when it is closed.

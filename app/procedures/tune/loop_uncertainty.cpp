@@ -3,8 +3,8 @@
 #include "app/procedures/tune/large_step.h"
 #include "control/assess/loop_rows.h"
 #include "control/base/units.h"
+#include "control/robustness/filtered_bands.h"
 #include "control/robustness/percentiles.h"
-#include "control/robustness/shaped_bands.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -37,7 +37,7 @@ constexpr std::size_t StepPoints = 90; ///< of a band: one in five pixels of a p
 Result<std::vector<control::PositionPlant>> drawnPlants(const MotorEstimate& estimate,
                                                         const UncertaintyDraws& draws) {
     if (estimate.covarianceNames.empty()) {
-        return failure(ErrorCode::Refused, "the model has no covariance: how uncertain it is is not known",
+        return failure(ErrorCode::Refused, "the model has no covariance: its uncertainty is unknown",
                        "identify the motor to get its uncertainty");
     }
     const auto uncertain = uncertainPlantFromEstimate(estimate);
@@ -48,28 +48,29 @@ Result<std::vector<control::PositionPlant>> drawnPlants(const MotorEstimate& est
 Result<control::LoopBands> loopBandsOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
                                        const control::LoopTiming& timing,
                                        const std::vector<double>& frequency_rad_s) {
-    return law.shaped ? control::shapedLoopBands(plants, *law.shaped, timing, frequency_rad_s)
-                      : control::loopBands(plants, law.law.gains, timing, frequency_rad_s);
+    return law.filtered ? control::filteredLoopBands(plants, *law.filtered, timing, frequency_rad_s)
+                        : control::loopBands(plants, law.law.gains, timing, frequency_rad_s);
 }
 
 Result<control::StepBand> stepBandOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
                                      const control::LoopTiming& timing, double amplitude_rad,
                                      const BandExtent& extent) {
     const auto& [duration_s, pointsPerSample, most] = extent;
-    return law.shaped ? control::shapedStepBand(plants, *law.shaped, timing, amplitude_rad, duration_s,
-                                                pointsPerSample, most)
-                      : control::stepBand(plants, law.law.gains, timing, amplitude_rad, duration_s,
-                                          pointsPerSample, most);
+    return law.filtered ? control::filteredStepBand(plants, *law.filtered, timing, amplitude_rad, duration_s,
+                                                    pointsPerSample, most)
+                        : control::stepBand(plants, law.law.gains, timing, amplitude_rad, duration_s,
+                                            pointsPerSample, most);
 }
 
-Result<control::LoadBand> loadBandOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
-                                     const control::LoopTiming& timing, double load_A,
-                                     const BandExtent& extent) {
+Result<control::DisturbanceEnvelope> disturbanceEnvelopeOf(const std::vector<control::PositionPlant>& plants,
+                                                           const LoopLaw& law,
+                                                           const control::LoopTiming& timing, double load_A,
+                                                           const BandExtent& extent) {
     const auto& [duration_s, pointsPerSample, most] = extent;
-    return law.shaped
-               ? control::shapedLoadBand(plants, *law.shaped, timing, load_A, duration_s, pointsPerSample,
-                                         most)
-               : control::loadBand(plants, law.law.gains, timing, load_A, duration_s, pointsPerSample, most);
+    return law.filtered ? control::filteredDisturbanceEnvelope(plants, *law.filtered, timing, load_A,
+                                                               duration_s, pointsPerSample, most)
+                        : control::disturbanceEnvelope(plants, law.law.gains, timing, load_A, duration_s,
+                                                       pointsPerSample, most);
 }
 
 Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const LoopLaw& law,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/procedures/tune/analyse.h"
-#include "control/robustness/load_band.h"
+#include "control/robustness/disturbance_envelope.h"
 #include "control/robustness/uncertainty_bands.h"
 
 #include <cstddef>
@@ -43,11 +43,12 @@ Result<control::LoopBands> loopBandsOf(const std::vector<control::PositionPlant>
 Result<control::StepBand> stepBandOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
                                      const control::LoopTiming& timing, double amplitude_rad,
                                      const BandExtent& extent);
-Result<control::LoadBand> loadBandOf(const std::vector<control::PositionPlant>& plants, const LoopLaw& law,
-                                     const control::LoopTiming& timing, double load_A,
-                                     const BandExtent& extent);
+Result<control::DisturbanceEnvelope> disturbanceEnvelopeOf(const std::vector<control::PositionPlant>& plants,
+                                                           const LoopLaw& law,
+                                                           const control::LoopTiming& timing, double load_A,
+                                                           const BandExtent& extent);
 
-/// Open loop and linear step of `predicted`, some milliseconds (of a shaped law some tenths of a second);
+/// Open loop and linear step of `predicted`, some milliseconds (of a filtered law some tenths of a second);
 /// without the large step. Errors: Refused (a
 /// motor without covariance: nothing is known of it); of plantFromEstimate and the law.
 Result<LoopUncertainty> loopUncertainty(const MotorEstimate& estimate, const LoopLaw& law,

@@ -11,8 +11,12 @@ namespace halbench::app {
 /// (resources/help/tuning.md, "Warnings").
 bool restsOnAssumption(const std::vector<Finding>& findings);
 
+/// Whether a stable loop is close to its limit of stability: little margin or damping, or unstable with one
+/// more sample of delay. No such loop is called good.
+bool isNearStabilityLimit(const std::vector<Finding>& findings);
+
 /// The verdict on a loop in words, the same on the command line and in the window: one that rests on an
-/// assumption says so. `isRobustnessKnown`: the uncertainty of the motor was judged too.
+/// assumption or near the limit says so. `isRobustnessKnown`: the uncertainty of the motor was judged too.
 std::string loopVerdict(Verdict verdict, const std::vector<Finding>& findings, bool isRobustnessKnown);
 
 } // namespace halbench::app

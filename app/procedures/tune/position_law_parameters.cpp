@@ -1,8 +1,8 @@
 #include "app/procedures/tune/position_law_parameters.h"
 
 #include "app/procedures/tune/tune.h"
+#include "control/law/filtered_delta.h"
 #include "control/law/named_filter.h"
-#include "control/law/shaped_delta.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -115,7 +115,7 @@ BoardLawSpec boardLawSpec(const devices::Catalogue& catalogue) {
             has("gain.derivative_filter"), filtersOf(catalogue)};
 }
 
-Result<void> checkOffered(const control::ShapedLaw& law, const BoardLawSpec& spec) {
+Result<void> checkOffered(const control::FilteredLaw& law, const BoardLawSpec& spec) {
     const bool isFiltered = law.gains.derivative != 0.0 && law.gains.filter_s.value_or(0.0) != 0.0;
     std::vector<std::string> missing;
     if (law.proportionalWeight != 1.0 && !spec.hasReferenceWeight) {
@@ -125,7 +125,7 @@ Result<void> checkOffered(const control::ShapedLaw& law, const BoardLawSpec& spe
         missing.push_back("set-point weight c");
     }
     if (isFiltered && !spec.hasDerivativeFilter) {
-        missing.push_back("filter on the derivative");
+        missing.push_back("derivative filter");
     }
     if (law.filters.size() > spec.filters) {
         missing.push_back(spec.filters == 0 ? std::string("filters in series")
@@ -135,22 +135,27 @@ Result<void> checkOffered(const control::ShapedLaw& law, const BoardLawSpec& spe
         return {};
     }
     return failure(ErrorCode::InvalidInput,
-                   fmt::format("the law of this board has no {}", fmt::join(missing, ", no ")),
-                   "take it out of the gains, or save the law as C code for another controller");
+                   fmt::format("the control law of this device has no {}", fmt::join(missing, ", no ")),
+                   "remove it from the gains, or save the control law as C code for another controller");
 }
 
 Result<control::SampledPositionLaw> readPositionLaw(devices::Device& device) {
+    return readPositionLaw(device, device.catalogue());
+}
+
+Result<control::SampledPositionLaw> readPositionLaw(devices::Device& device,
+                                                    const devices::Catalogue& catalogue) {
     control::SampledPositionLaw law;
-    const auto& known = device.catalogue().knownConstants;
+    const auto& known = catalogue.knownConstants;
     if (const auto period = known.find("T_s"); period != known.end()) {
         law.period_s = period->second;
     }
-    const std::vector<Place> places = placesOf(device.catalogue(), law);
+    const std::vector<Place> places = placesOf(catalogue, law);
     std::vector<std::string> names;
     for (const Place& place : places) {
         names.push_back(place.parameter);
     }
-    const std::string delay = device.catalogue().parameterForRole("delay.samples");
+    const std::string delay = catalogue.parameterForRole("delay.samples");
     if (!delay.empty()) {
         names.push_back(delay);
     }
@@ -185,15 +190,15 @@ Result<std::vector<ParameterValue>> lawForDevice(const LoopLaw& law, const devic
     if (!values) {
         return values;
     }
-    const control::ShapedLaw shaped = asShaped(law);
-    if (const auto offered = checkOffered(shaped, boardLawSpec(catalogue)); !offered) {
+    const control::FilteredLaw filtered = asFiltered(law);
+    if (const auto offered = checkOffered(filtered, boardLawSpec(catalogue)); !offered) {
         return failure(offered.error());
     }
     const auto period = catalogue.knownConstants.find("T_s");
     const control::LoopTiming timing{
         period == catalogue.knownConstants.end() ? control::LoopTiming().period_s : period->second, 0};
     constexpr double AnyLimit_A = 1.0; // the limit is the board's own
-    auto board = control::boardLaw(shaped, law.law, timing, AnyLimit_A);
+    auto board = control::boardLaw(filtered, law.law, timing, AnyLimit_A);
     if (!board) {
         return failure(board.error());
     }
@@ -219,8 +224,8 @@ void addPlainShaping(std::vector<ParameterValue>& values, const devices::Catalog
 }
 
 bool isSameLaw(const LoopLaw& one, const LoopLaw& other, double period_s) {
-    const control::ShapedLaw first = asShaped(one);
-    const control::ShapedLaw second = asShaped(other);
+    const control::FilteredLaw first = asFiltered(one);
+    const control::FilteredLaw second = asFiltered(other);
     const auto firstSections = control::filterSections(first.filters, period_s);
     const auto secondSections = control::filterSections(second.filters, period_s);
     const auto isNear = [](double a, double b) { return std::fabs(a - b) <= 1e-6 * std::fabs(a) + 1e-12; };
@@ -237,17 +242,17 @@ Result<LoopLaw> loopLawFromParameters(const std::map<std::string, double>& value
     if (!plain) {
         return failure(plain.error());
     }
-    control::ShapedLaw shaped;
-    shaped.gains = plain->gains;
+    control::FilteredLaw filtered;
+    filtered.gains = plain->gains;
     const auto number = [&values](const std::string& name, double otherwise) {
         const auto found = values.find(name);
         return found == values.end() ? otherwise : found->second;
     };
-    shaped.proportionalWeight = number("gain.reference_weight", shaped.proportionalWeight);
-    shaped.derivativeWeight = number("gain.derivative_reference_weight", shaped.derivativeWeight);
+    filtered.proportionalWeight = number("gain.reference_weight", filtered.proportionalWeight);
+    filtered.derivativeWeight = number("gain.derivative_reference_weight", filtered.derivativeWeight);
     const double filter_s = number("gain.derivative_filter", 0.0);
     if (filter_s != 0.0) {
-        shaped.gains.filter_s = filter_s;
+        filtered.gains.filter_s = filter_s;
     }
     for (std::size_t i = 0; i < control::MostFilters; ++i) {
         control::LawSection<double> section;
@@ -255,13 +260,13 @@ Result<LoopLaw> loopLawFromParameters(const std::map<std::string, double>& value
             section.*coefficient.member = number(filterRole(i, coefficient), section.*coefficient.member);
         }
         if (!(section == control::LawSection<double>())) {
-            shaped.filters.push_back(control::namedFilter(section, period_s));
+            filtered.filters.push_back(control::namedFilter(section, period_s));
         }
     }
-    if (control::isBoardLaw(shaped)) {
+    if (control::isBoardLaw(filtered)) {
         return LoopLaw(*plain);
     }
-    return checkedLaw(LoopLaw(*plain, std::move(shaped)), period_s);
+    return checkedLaw(LoopLaw(*plain, std::move(filtered)), period_s);
 }
 
 } // namespace halbench::app

@@ -15,6 +15,9 @@ namespace halbench::app {
 /// and delay.samples; a role the device does not have keeps the value of the plain law. Errors: of the
 /// device.
 Result<control::SampledPositionLaw> readPositionLaw(devices::Device& device);
+/// The same by the roles of `catalogue`, which may be those of one axis (catalogueOfAxis).
+Result<control::SampledPositionLaw> readPositionLaw(devices::Device& device,
+                                                    const devices::Catalogue& catalogue);
 
 /// The same law as values of the device's parameters, without limit.current and delay.samples, which belong
 /// to the board and not to a set of gains.
@@ -30,7 +33,7 @@ struct BoardLawSpec {
 };
 BoardLawSpec boardLawSpec(const devices::Catalogue& catalogue);
 /// Error: InvalidInput, naming what the board's law lacks.
-Result<void> checkOffered(const control::ShapedLaw& law, const BoardLawSpec& spec);
+Result<void> checkOffered(const control::FilteredLaw& law, const BoardLawSpec& spec);
 
 /// A law as values of the device's parameters, all of them within its limits; weights and filters that the
 /// device has are written also where the law has none, so that none of before stay. Errors: of
@@ -41,7 +44,7 @@ Result<std::vector<ParameterValue>> lawForDevice(const LoopLaw& law, const devic
 void addPlainShaping(std::vector<ParameterValue>& values, const devices::Catalogue& catalogue);
 /// To what single precision leaves of a law on a board.
 bool isSameLaw(const LoopLaw& one, const LoopLaw& other, double period_s);
-/// Back from any map of parameter values: filters with their names, and `shaped` only where there is
+/// Back from any map of parameter values: filters with their names, and `filtered` only where there is
 /// something of it. Errors: of `lawFromParameters` and `checkedLaw`.
 Result<LoopLaw> loopLawFromParameters(const std::map<std::string, double>& values, double period_s);
 

@@ -1,11 +1,13 @@
 #include "app/procedures/tune/tune.h"
 
+#include "app/procedures/tune/loop_axis.h"
 #include "app/procedures/tune/loop_prediction.h"
 #include "app/procedures/tune/loop_uncertainty.h"
-#include "control/assess/shaped_loop.h"
+#include "control/assess/filtered_loop.h"
 #include "control/base/random.h"
+#include "control/design/axis_designs.h"
 #include "control/law/board_gains.h"
-#include "control/robustness/shaped_robustness.h"
+#include "control/robustness/filtered_robustness.h"
 
 #include <fmt/format.h>
 
@@ -79,18 +81,17 @@ void addDesignWarnings(TuneResult& result) {
         // help: htm-theory.md 6.4, 6.5
         const auto designed = control::designLaw("designed", result.plant, result.conditions.timing, {});
         if (designed) {
-            result.warnings.push_back({"published_gains_contradict",
-                                       fmt::format("the source's own targets (zeta 0.06 at 15 rad/s) give "
-                                                   "{:.4g} A/rad and {:.4g} A/(rad s) "
-                                                   "on this motor, not the printed 10 and 0.1",
-                                                   designed->gains.proportional, designed->gains.integral),
-                                       "method designed has those gains"});
+            result.warnings.push_back(
+                {"published_gains_contradict",
+                 fmt::format("the targets of the source (zeta 0.06 at 15 rad/s) give {:.4g} A/rad and {:.4g} "
+                             "A/(rad s) on this motor, not the printed 10 and 0.1",
+                             designed->gains.proportional, designed->gains.integral),
+                 "use method designed for these gains"});
         }
     }
     const bool wantsDerivative = result.method == "recommended" || result.method == "bandwidth";
     if (wantsDerivative && result.law.gains.derivative == 0.0) {
-        result.warnings.push_back({"no_derivative",
-                                   "the motor damps more than the loop asks for: K_D is zero",
+        result.warnings.push_back({"no_derivative", "the motor's damping exceeds the target: K_D is zero",
                                    "a faster loop may be possible: method bandwidth or phase-margin"});
     }
 }
@@ -102,10 +103,11 @@ void judge(TuneResult& result) {
     };
     if (!result.predicted.isStable) {
         // A preset was asked for by name and shows what the theory says of it; a design must be stable.
-        const bool isShown = isPreset(result.method) && !result.shaped;
+        const bool isShown = isPreset(result.method) && !result.filtered;
         result.quality.verdict = isShown ? Verdict::Doubtful : Verdict::Refused;
     } else if (has("not_robust") || has("small_margin") || has("stray_field_error") ||
-               has("stray_field_not_compensated")) {
+               has("stray_field_not_compensated") || has("doubtful_model") || has("doubtful_calibration") ||
+               has("doubtful_relay")) {
         result.quality.verdict = Verdict::Doubtful;
     }
     result.quality.findings = result.warnings;
@@ -115,28 +117,28 @@ void judge(TuneResult& result) {
 std::optional<control::LeastErrorBounds> boundsOf(const TuneResult& result) {
     const auto measure = control::leastErrorMeasure(result.method);
     const auto targets = targetsOnBoard(result.method, result.targets, result.conditions);
-    if (!measure || !targets || !result.proof) {
+    if (!measure || !targets || !result.assessment) {
         return std::nullopt;
     }
-    return control::boundsOf(*result.proof, control::leastErrorTargets(*measure, *targets),
+    return control::boundsOf(*result.assessment, control::leastErrorTargets(*measure, *targets),
                              *targets->currentLimit_A);
 }
 
 /// The proof looks at 2 s of a step; a current that rises slowly is highest later.
-void takeWholeCurrent(control::DesignProof& proof, const AnalysisResult& predicted, double limit_A) {
+void takeWholeCurrent(control::LoopAssessment& assessment, const AnalysisResult& predicted, double limit_A) {
     if (!predicted.isStable) {
         return;
     }
-    proof.peakCurrent_A = predicted.step
-                              ? std::max(proof.peakCurrent_A, peakCurrent_A(predicted.stepCurve))
-                              : std::numeric_limits<double>::infinity(); // not known: no step is safe
-    proof.largestStep_rad = limit_A / proof.peakCurrent_A;
+    assessment.peakCurrent_A = predicted.step
+                                   ? std::max(assessment.peakCurrent_A, peakCurrent_A(predicted.stepCurve))
+                                   : std::numeric_limits<double>::infinity(); // not known: no step is safe
+    assessment.largestStep_rad = limit_A / assessment.peakCurrent_A;
 }
 
 /// The law is there; prediction, robustness and verdict follow.
 Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, const TuneConfig& config,
                           const control::UncertainPlant& uncertain) {
-    const LoopLaw law(result.law, result.shaped);
+    const LoopLaw law(result.law, result.filtered);
     auto predicted = runAnalysis(estimate, law, config.conditions);
     if (!predicted) {
         return failure(predicted.error());
@@ -145,18 +147,24 @@ Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, cons
     const control::LoopTiming& timing = config.conditions.timing;
     const Random random(config.seed);
     const auto robust =
-        law.shaped ? control::assessShaped(uncertain, *law.shaped, timing, config.draws, random)
-                   : control::assessRobustness(uncertain, law.law.gains, timing, config.draws, random);
+        law.filtered ? control::assessFiltered(uncertain, *law.filtered, timing, config.draws, random)
+                     : control::assessRobustness(uncertain, law.law.gains, timing, config.draws, random);
     if (!robust) {
         return failure(robust.error());
     }
     result.robust = *robust;
+    if (!result.predicted
+             .stableGains) { // no factor leads to stability: draws near this motor have none either
+        result.robust.gainMargin_ratio.reset();
+        result.robust.gainMargin_ratio_p5 = std::numeric_limits<double>::infinity();
+    }
     // Here, on the worker that judges: whoever writes or compares results must not compute.
     const double limit_A = config.conditions.currentLimit_A;
-    if (auto proof = law.shaped ? control::proveShaped(result.plant, *law.shaped, timing, limit_A)
-                                : control::proveDesign(result.plant, law.law.gains, timing, limit_A)) {
-        result.proof = *std::move(proof);
-        takeWholeCurrent(*result.proof, result.predicted, limit_A);
+    if (auto assessment = law.filtered
+                              ? control::assessFilteredDesign(result.plant, *law.filtered, timing, limit_A)
+                              : control::assessDesign(result.plant, law.law.gains, timing, limit_A)) {
+        result.assessment = *std::move(assessment);
+        takeWholeCurrent(*result.assessment, result.predicted, limit_A);
     }
     const auto plants = drawnPlants(estimate, {config.draws, config.seed});
     result.disturbance = disturbanceOf(estimate, law, config.conditions, result.predicted, config.load_A,
@@ -166,14 +174,46 @@ Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, cons
     result.release_s =
         releaseTime_s(result.plant, lawAtRest(law, timing.period_s), result.predicted.frictionBand_rad);
     result.warnings = result.predicted.warnings;
-    if (auto warning = cycleWarning(result.cycles.value_or(std::vector<PredictedCycle>()))) {
-        result.warnings.push_back(*std::move(warning));
+    const bool hasCovariance = !estimate.covarianceNames.empty();
+    if (config.conditions.axis) {
+        addAxisRobustness(result.warnings, result.robust, result.predicted.isStable, hasCovariance);
+    } else {
+        if (auto warning = cycleWarning(result.cycles.value_or(std::vector<PredictedCycle>()))) {
+            result.warnings.push_back(*std::move(warning));
+        }
+        addDesignWarnings(result);
+        addRobustnessWarnings(result.warnings, result.robust, result.predicted.isStable, hasCovariance);
     }
-    addDesignWarnings(result);
-    addRobustnessWarnings(result.warnings, result.robust, result.predicted.isStable,
-                          !estimate.covarianceNames.empty());
     judge(result);
     return result;
+}
+
+Result<LoopLaw> motorDesign(const control::PositionPlant& plant, const TuneConfig& config) {
+    const auto targets = targetsOnBoard(config.method, config.targets, config.conditions);
+    if (!targets) {
+        return failure(targets.error());
+    }
+    auto law = control::designLaw(config.method, plant, config.conditions.timing, *targets);
+    law = law ? onBoard(*law) : law;
+    return law ? Result<LoopLaw>(LoopLaw(*law)) : failure(law.error());
+}
+
+/// With the effort that a smooth reference needs; steps do not see it.
+Result<LoopLaw> axisDesign(const control::PositionPlant& plant, const TuneConfig& config) {
+    const control::LoopTiming& timing = config.conditions.timing;
+    auto filtered = control::designAxisLaw(config.method, plant, timing, config.targets,
+                                           config.conditions.axis->designFrequency_rad_s);
+    if (!filtered) {
+        return failure(filtered.error());
+    }
+    PositionLaw law;
+    law.gains = filtered->gains;
+    law.inertia_A_s2_rad = 1.0 / plant.accelerationGain_rad_s2_A;
+    if (control::isBoardLaw(*filtered)) {
+        const auto board = onBoard(law);
+        return board ? Result<LoopLaw>(LoopLaw(*board)) : failure(board.error());
+    }
+    return checkedLaw(LoopLaw(law, *std::move(filtered)), timing.period_s);
 }
 
 TuneResult undesigned(const MotorEstimate& estimate, const TuneConfig& config) {
@@ -196,9 +236,9 @@ Result<control::DesignTargets> targetsOnBoard(const std::string& method, control
     if (targets.currentLimit_A.value_or(board_A) > board_A) {
         return failure(
             ErrorCode::OutOfRange,
-            fmt::format("the target current-limit-a = {:.4g} is above the board's own limit of {:.4g} A",
+            fmt::format("the target current-limit-a = {:.4g} is above the device limit of {:.4g} A",
                         *targets.currentLimit_A, board_A),
-            "choose up to that, or leave it out");
+            "use a lower value, or omit it");
     }
     targets.currentLimit_A = targets.currentLimit_A.value_or(board_A);
     return targets;
@@ -209,14 +249,14 @@ Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const LoopLaw& law, c
     if (!uncertain) {
         return failure(uncertain.error());
     }
-    const auto shaped = law.shaped ? checkedLaw(law, config.conditions.timing.period_s) : law;
-    const auto board = shaped ? onBoard(shaped->law) : failure(shaped.error());
+    const auto filtered = law.filtered ? checkedLaw(law, config.conditions.timing.period_s) : law;
+    const auto board = filtered ? onBoard(filtered->law) : failure(filtered.error());
     if (!board) {
         return failure(board.error());
     }
     TuneResult result = undesigned(estimate, config);
     result.law = *board;
-    result.shaped = shaped->shaped;
+    result.filtered = filtered->filtered;
     return judged(std::move(result), estimate, config, *uncertain);
 }
 
@@ -226,16 +266,13 @@ Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& conf
         return failure(uncertain.error());
     }
     TuneResult result = undesigned(estimate, config);
-    const auto targets = targetsOnBoard(config.method, config.targets, config.conditions);
-    if (!targets) {
-        return failure(targets.error());
-    }
-    auto law = control::designLaw(config.method, result.plant, config.conditions.timing, *targets);
-    law = law ? onBoard(*law) : law;
+    const auto law =
+        config.conditions.axis ? axisDesign(result.plant, config) : motorDesign(result.plant, config);
     if (!law) {
         return failure(law.error());
     }
-    result.law = *law;
+    result.law = law->law;
+    result.filtered = law->filtered;
     return judged(std::move(result), estimate, config, *uncertain);
 }
 

@@ -3,7 +3,7 @@
 #include "app/procedures/tune/analyse.h"
 #include "app/procedures/tune/disturbance.h"
 #include "app/procedures/tune/loop_cycles.h"
-#include "control/assess/proof.h"
+#include "control/assess/loop_assessment.h"
 #include "control/design/design_methods.h"
 #include "control/design/optimal_designs.h"
 #include "control/robustness/robustness.h"
@@ -33,10 +33,10 @@ struct TuneResult {
     control::PositionPlant plant;
     control::PositionLaw law; ///< parallel form, A/rad
     /// What the loop was judged with where no board's law is all of it: then it is never applied.
-    std::optional<control::ShapedLaw> shaped;
+    std::optional<control::FilteredLaw> filtered;
     AnalysisResult predicted;
     control::Robustness robust;
-    std::optional<control::DesignProof> proof;         ///< nothing: the loop grows beyond all numbers
+    std::optional<control::LoopAssessment> assessment; ///< nothing: the loop grows beyond all numbers
     std::optional<control::LeastErrorBounds> bounds;   ///< of the methods that keep some, as the proof has it
     std::optional<std::vector<PredictedCycle>> cycles; ///< nothing: not predicted for such a law or motor
     std::optional<Disturbance> disturbance = {};       ///< nothing for an unstable loop
@@ -55,8 +55,8 @@ Result<control::DesignTargets> targetsOnBoard(const std::string& method, control
 Result<TuneResult> runTune(const MotorEstimate& estimate, const TuneConfig& config);
 
 /// The same judgement of gains that came from elsewhere: edited by hand, a preset, the device, a file. The
-/// method of `config` names them; its targets are not read. An unstable shaped loop is refused: no preset has
-/// one. Errors: of plantFromEstimate and of the gains.
+/// method of `config` names them; its targets are not read. An unstable filtered loop is refused: no preset
+/// has one. Errors: of plantFromEstimate and of the gains.
 Result<TuneResult> judgeLaw(const MotorEstimate& estimate, const LoopLaw& law, const TuneConfig& config);
 
 /// The law as the board's parameters (gain.kp ... stiction.speed), in the order of its table, and back.

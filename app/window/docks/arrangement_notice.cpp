@@ -13,18 +13,18 @@ void ArrangementNotice::say(Perspective perspective, ArrangementFault fault, con
     QString text;
     switch (fault) {
     case ArrangementFault::Damaged:
-        text = tr("The arrangement of the panels in %1 is damaged; the first one is shown.");
+        text = tr("The panel layout in %1 is damaged. The default layout is shown.");
         break;
     case ArrangementFault::Newer:
-        text = tr("The arrangement of the panels in %1 is from a newer version; the first one is shown.");
+        text = tr("The panel layout in %1 is from a newer version. The default layout is shown.");
         break;
     case ArrangementFault::Older:
-        text = tr("The arrangement of the panels in %1 is from an older version; the first one is shown.");
+        text = tr("The panel layout in %1 is from an older version. The default layout is shown.");
         break;
     }
     showMessage({widgets::Severity::Warning,
                  text.arg(title),
-                 tr("Nothing of it is lost: it stays in the file under the name %1.").arg(keptAs),
+                 tr("The old layout stays in the file as %1.").arg(keptAs),
                  {}});
 }
 

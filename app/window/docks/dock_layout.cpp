@@ -5,12 +5,10 @@
 #include "widgets/theme/theme_style.h"
 
 #include <QApplication>
-#include <QFontMetrics>
 #include <QGridLayout>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockContainerWidget.h>
 #include <qtadvanceddocking/DockManager.h>
-#include <qtadvanceddocking/DockSplitter.h>
 #include <qtadvanceddocking/DockWidget.h>
 #include <qtadvanceddocking/FloatingDockContainer.h>
 #include <qtadvanceddocking/IconProvider.h>
@@ -25,17 +23,9 @@ namespace {
 
 /// Of the arrangement files; raised when panels change so that an old arrangement no longer fits.
 constexpr int ArrangementVersion = 2;
-/// First sizes in characters and lines of text; the centre gets the rest.
-constexpr int LeftCharacters = 46;
-constexpr int RightCharacters = 57;
-constexpr int BottomLines = 10;
-constexpr int DeviceLines = 16;
-constexpr int LeastCentre_px = 400; ///< before the window is laid out
 
 ads::DockWidgetArea dockArea(PanelArea area) {
     switch (area) {
-    case PanelArea::LeftBelow:
-        return ads::BottomDockWidgetArea;
     case PanelArea::Left:
         return ads::LeftDockWidgetArea;
     case PanelArea::Right:
@@ -87,8 +77,7 @@ DockLayout::DockLayout(QWidget* container) : QObject(container), m_specs(panelSp
 }
 
 void DockLayout::furnish(Workbench& bench) {
-    for (const PanelArea area :
-         {PanelArea::Centre, PanelArea::Left, PanelArea::LeftBelow, PanelArea::Right, PanelArea::Bottom}) {
+    for (const PanelArea area : {PanelArea::Centre, PanelArea::Left, PanelArea::Right, PanelArea::Bottom}) {
         for (const PanelSpec& spec : m_specs) {
             if (spec.area == area) {
                 addPanel(spec, bench);
@@ -134,8 +123,6 @@ void DockLayout::addPanel(const PanelSpec& spec, Workbench& bench) {
     }
     if (neighbour != nullptr) {
         m_manager->addDockWidget(ads::CenterDockWidgetArea, dock, neighbour);
-    } else if (spec.area == PanelArea::LeftBelow) {
-        m_manager->addDockWidget(dockArea(spec.area), dock, areaOf(PanelArea::Left));
     } else {
         m_manager->addDockWidget(dockArea(spec.area), dock);
     }
@@ -143,14 +130,12 @@ void DockLayout::addPanel(const PanelSpec& spec, Workbench& bench) {
 }
 
 bool DockLayout::hasRightNeighbour(const PanelSpec& spec) const {
-    return std::any_of(spec.perspectives.begin(), spec.perspectives.end(), [this](Perspective perspective) {
-        return std::any_of(m_specs.begin(), m_specs.end(), [perspective](const PanelSpec& other) {
-            return other.area == PanelArea::Right && isIn(other, perspective);
-        });
-    });
+    return isIn(spec, Perspective::Monitor) || isIn(spec, Perspective::Tune) ||
+           isIn(spec, Perspective::Record);
 }
 
 void DockLayout::arrange(Perspective perspective) {
+    m_withheld.forget();
     for (const PanelSpec& spec : m_specs) {
         m_docks.value(spec.id)->toggleView(isIn(spec, perspective));
     }
@@ -160,63 +145,49 @@ void DockLayout::arrange(Perspective perspective) {
             m_docks.value(spec->id)->setAsCurrentTab();
         }
     }
-    shareSpace();
+    m_withheld.close();
+    if (m_isDeviceOpen) {
+        leaveStartPage();
+    }
+    m_sizes.share(*m_manager);
 }
 
-ads::CDockAreaWidget* DockLayout::areaOf(PanelArea area) const {
-    for (const PanelSpec& spec : m_specs) {
-        const auto placed = m_docks.find(spec.id);
-        if (spec.area == area && placed != m_docks.end() && !(*placed)->isClosed()) {
-            return (*placed)->dockAreaWidget();
-        }
+void DockLayout::leaveStartPage() {
+    ads::CDockWidget* devices = m_docks.value(QStringLiteral("devices"));
+    ads::CDockWidget* monitor = m_docks.value(QStringLiteral("monitor"));
+    const ads::CDockAreaWidget* area = devices == nullptr ? nullptr : devices->dockAreaWidget();
+    if (area != nullptr && !devices->isClosed() && !monitor->isClosed() &&
+        area->currentDockWidget() == devices && area == monitor->dockAreaWidget()) {
+        monitor->setAsCurrentTab();
     }
-    return nullptr;
 }
 
-/// How long this part of a splitter is at first; nothing for the part that gets the rest.
-std::optional<int> DockLayout::firstLength(const QWidget& part, Qt::Orientation orientation) const {
-    const auto holds = [&](PanelArea area) {
-        const ads::CDockAreaWidget* there = areaOf(area);
-        return there != nullptr && (there == &part || part.isAncestorOf(there));
-    };
-    const QFontMetrics metrics = m_manager->fontMetrics();
-    if (holds(PanelArea::Centre)) {
-        return std::nullopt;
+void DockLayout::setMainOnly(bool isOnly) {
+    if (isOnly == isMainOnly() || m_docks.isEmpty()) {
+        return;
     }
-    if (orientation == Qt::Horizontal) {
-        return metrics.averageCharWidth() * (holds(PanelArea::Right) ? RightCharacters : LeftCharacters);
+    if (isOnly) {
+        m_beforeMainOnly = shownArrangement();
+        const QString main = shownMain(m_perspective);
+        unfold(main);
+        for (ads::CDockWidget* dock : m_docks) {
+            if (dock->objectName() != main && !dock->isClosed()) {
+                dock->toggleView(false);
+            }
+        }
+    } else {
+        m_withheld.forget();
+        m_manager->restoreState(std::exchange(m_beforeMainOnly, {}), ArrangementVersion);
+        m_withheld.close();
+        m_sizes.growCentre(*m_manager);
     }
-    if (holds(PanelArea::LeftBelow)) {
-        return std::nullopt;
-    }
-    return metrics.height() * (holds(PanelArea::Bottom) ? BottomLines : DeviceLines);
+    focusCentre();
+    mainOnlyChanged();
 }
 
-/// First sizes: the data get what the panels beside them do not need.
-void DockLayout::shareSpace() {
-    for (auto* splitter : m_manager->findChildren<ads::CDockSplitter*>()) {
-        const Qt::Orientation orientation = splitter->orientation();
-        int rest_px = orientation == Qt::Horizontal ? splitter->width() : splitter->height();
-        QList<int> sizes;
-        for (int i = 0; i < splitter->count(); ++i) {
-            sizes << firstLength(*splitter->widget(i), orientation).value_or(0);
-            rest_px -= splitter->widget(i)->isHidden() ? 0 : sizes.last();
-        }
-        for (int& size : sizes) {
-            size = size > 0 ? size : std::max(rest_px, LeastCentre_px);
-        }
-        splitter->setSizes(sizes);
-    }
-    growCentre();
-}
-
-/// A larger window enlarges the data, not what stands beside them.
-void DockLayout::growCentre() {
-    for (auto* splitter : m_manager->findChildren<ads::CDockSplitter*>()) {
-        for (int i = 0; i < splitter->count(); ++i) {
-            const bool isFlexible = !firstLength(*splitter->widget(i), splitter->orientation());
-            splitter->setStretchFactor(i, isFlexible ? 1 : 0);
-        }
+void DockLayout::setDeviceOpen(bool isOpen) {
+    if (std::exchange(m_isDeviceOpen, isOpen) != isOpen && isOpen) {
+        leaveStartPage();
     }
 }
 
@@ -243,13 +214,18 @@ void DockLayout::watchTabs(ads::CDockAreaWidget* area) {
 }
 
 void DockLayout::focusCentre() {
-    if (const ads::CDockAreaWidget* centre = areaOf(PanelArea::Centre)) {
+    if (const ads::CDockAreaWidget* centre = m_sizes.areaOf(PanelArea::Centre)) {
         focusFirst(*centre->currentDockWidget()->widget());
     }
 }
 
+/// Where the panel says, else to its first control.
 void DockLayout::focusFirst(QWidget& content) {
     QWidget* panel = &content;
+    if (QWidget* wanted = panel->focusProxy(); wanted != nullptr && wanted->isVisible()) {
+        wanted->setFocus(Qt::OtherFocusReason);
+        return;
+    }
     for (QWidget* next = panel->nextInFocusChain(); next != panel; next = next->nextInFocusChain()) {
         if (panel->isAncestorOf(next) && next->isVisible() && next->isEnabled() &&
             (next->focusPolicy() & Qt::TabFocus) != 0) {
@@ -261,11 +237,17 @@ void DockLayout::focusFirst(QWidget& content) {
 
 void DockLayout::enterPerspective(Perspective perspective) {
     setPerspective(perspective);
+    const QString main = shownMain(perspective);
+    if (perspective == m_perspective && m_docks.contains(main)) {
+        if (m_docks.value(main)->isClosed()) { // closed, or lost with its own window
+            raise(main);
+        }
+    }
     focusCentre();
 }
 
 void DockLayout::setPerspective(Perspective perspective) {
-    if (perspective == m_perspective) {
+    if (perspective == m_perspective || !isOffered(perspective)) {
         return;
     }
     if (m_docks.isEmpty()) {
@@ -273,14 +255,15 @@ void DockLayout::setPerspective(Perspective perspective) {
         perspectiveChanged();
         return;
     }
+    setMainOnly(false);
     QWidget* focused =
         m_manager->isAncestorOf(QApplication::focusWidget()) ? QApplication::focusWidget() : nullptr;
-    m_arrangements[perspectiveId(m_perspective)] = m_manager->saveState(ArrangementVersion);
+    m_arrangements[perspectiveId(m_perspective)] = shownArrangement();
     m_perspective = perspective;
     if (!restoreKept()) {
         arrange(perspective);
     }
-    growCentre();
+    m_sizes.growCentre(*m_manager);
     keepFocus(focused);
     perspectiveChanged();
 }
@@ -293,7 +276,9 @@ bool DockLayout::restoreKept() {
         return false;
     }
     const std::optional<ArrangementFault> fault = faultOf(kept, ArrangementVersion);
+    m_withheld.forget();
     if (!fault && m_manager->restoreState(kept, ArrangementVersion)) {
+        m_withheld.close();
         return true;
     }
     const QString aside = unreadName(m_arrangements, id);
@@ -303,11 +288,71 @@ bool DockLayout::restoreKept() {
 }
 
 void DockLayout::reset() {
+    setMainOnly(false);
     for (const Perspective perspective : AllPerspectives) { // not what could not be shown
         m_arrangements.remove(perspectiveId(perspective));
     }
     m_manager->restoreState(m_first, ArrangementVersion);
     arrange(m_perspective);
+}
+
+QByteArray DockLayout::shownArrangement() const {
+    if (isMainOnly()) {
+        return m_beforeMainOnly;
+    }
+    return m_withheld.opened(m_manager->saveState(ArrangementVersion));
+}
+
+void DockLayout::setAbsent(const QSet<QString>& absent) {
+    QWidget* focused =
+        m_manager->isAncestorOf(QApplication::focusWidget()) ? QApplication::focusWidget() : nullptr;
+    if (!m_withheld.setAbsent(absent)) {
+        return;
+    }
+    if (!isOffered(m_perspective)) {
+        setPerspective(Perspective::Monitor);
+    }
+    keepFocus(focused);
+    offerChanged();
+}
+
+bool DockLayout::isOffered(Perspective perspective) const {
+    const QStringList panels = mainPanels(perspective);
+    return std::any_of(panels.begin(), panels.end(),
+                       [this](const QString& panel) { return isOffered(panel); });
+}
+
+/// Of a perspective with several main panels the one that this device has.
+QString DockLayout::shownMain(Perspective perspective) const {
+    const QStringList panels = mainPanels(perspective);
+    const auto offered =
+        std::find_if(panels.begin(), panels.end(), [this](const QString& panel) { return isOffered(panel); });
+    return offered != panels.end() ? *offered : panels.front();
+}
+
+void DockLayout::raise(const QString& panel) {
+    ads::CDockWidget* dock = m_docks.value(panel);
+    if (dock == nullptr || !isOffered(panel)) {
+        return;
+    }
+    unfold(panel);
+    dock->setAsCurrentTab();
+    dock->raise();
+    focusFirst(*dock->widget());
+}
+
+/// An area that was closed since the panels were arranged has no size of its own yet.
+void DockLayout::unfold(const QString& panel) {
+    ads::CDockWidget* dock = m_docks.value(panel);
+    if (dock == nullptr || !isOffered(panel) || !dock->isClosed()) {
+        return;
+    }
+    const ads::CDockAreaWidget* area = dock->dockAreaWidget();
+    const bool isAreaNew = area == nullptr || area->isHidden();
+    dock->toggleView(true);
+    if (isAreaNew && !dock->isFloating()) {
+        m_sizes.share(*m_manager);
+    }
 }
 
 QString DockLayout::helpAddressOf(const QWidget* widget) const {
@@ -320,7 +365,7 @@ QString DockLayout::helpAddressOf(const QWidget* widget) const {
 }
 
 QHash<QString, QByteArray> DockLayout::arrangements() {
-    m_arrangements[perspectiveId(m_perspective)] = m_manager->saveState(ArrangementVersion);
+    m_arrangements[perspectiveId(m_perspective)] = shownArrangement();
     return m_arrangements;
 }
 
@@ -329,14 +374,15 @@ void DockLayout::setArrangements(const QHash<QString, QByteArray>& arrangements,
                                  std::optional<Perspective> perspective) {
     QWidget* focused =
         m_manager->isAncestorOf(QApplication::focusWidget()) ? QApplication::focusWidget() : nullptr;
-    const bool isOther = perspective && *perspective != m_perspective;
-    m_perspective = perspective.value_or(m_perspective);
+    setMainOnly(false);
+    const bool isOther = perspective && *perspective != m_perspective && isOffered(*perspective);
+    m_perspective = isOther ? *perspective : m_perspective;
     m_arrangements = arrangements;
     const bool isKept = !m_arrangements.value(perspectiveId(m_perspective)).isEmpty();
     if (!restoreKept() && (isKept || isOther)) {
         arrange(m_perspective);
     }
-    growCentre();
+    m_sizes.growCentre(*m_manager);
     if (isOther) {
         keepFocus(focused);
         perspectiveChanged();

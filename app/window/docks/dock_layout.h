@@ -1,7 +1,9 @@
 #pragma once
 
+#include "app/window/docks/dock_sizes.h"
 #include "app/window/docks/kept_arrangement.h"
 #include "app/window/docks/panels.h"
+#include "app/window/docks/withheld_panels.h"
 
 #include <QByteArray>
 #include <QHash>
@@ -40,6 +42,21 @@ public:
     void enterPerspective(Perspective perspective);
     void reset();
 
+    /// Panels that the open device has no use for are closed and cannot be opened; a perspective whose main
+    /// panel is among them is left for Monitor.
+    void setAbsent(const QSet<QString>& absent);
+    bool isOffered(const QString& panel) const { return !m_withheld.isAbsent(panel); }
+    bool isOffered(Perspective perspective) const;
+    /// Opens the panel where it was last, brings it to the front and gives it the focus.
+    void raise(const QString& panel);
+    /// Opens it without the focus.
+    void unfold(const QString& panel);
+    /// The perspective's main panel and nothing beside it, and back. Choosing a perspective ends it.
+    void setMainOnly(bool isOnly);
+    bool isMainOnly() const { return !m_beforeMainOnly.isEmpty(); }
+    /// The list of devices is the start page; with a device the plots are in front of it.
+    void setDeviceOpen(bool isOpen);
+
     /// Name of the panel that holds the widget; empty when none does.
     QString helpAddressOf(const QWidget* widget) const;
     const QHash<QString, ads::CDockWidget*>& docks() const { return m_docks; }
@@ -52,6 +69,8 @@ public:
 
 Q_SIGNALS:
     void perspectiveChanged();
+    void offerChanged(); ///< of panels and perspectives
+    void mainOnlyChanged();
     /// The kept arrangement could not be shown, the first one is; it is among arrangements() as `keptAs`.
     void arrangementUnread(Perspective perspective, ArrangementFault fault, const QString& keptAs);
     void stopRequested(); ///< by the small STOP that every floating dock carries
@@ -60,12 +79,11 @@ private:
     void addPanel(const PanelSpec& spec, Workbench& bench);
     bool hasRightNeighbour(const PanelSpec& spec) const;
     void arrange(Perspective perspective);
+    void leaveStartPage();
+    QString shownMain(Perspective perspective) const;
+    QByteArray shownArrangement() const;
     bool restoreKept();
-    ads::CDockAreaWidget* areaOf(PanelArea area) const; ///< null while all its panels are closed
-    std::optional<int> firstLength(const QWidget& part, Qt::Orientation orientation) const;
-    void shareSpace();
     void addStop(ads::CFloatingDockContainer& window);
-    void growCentre();
     void keepFocus(QWidget* before);
     void focusCentre();
     static void focusFirst(QWidget& content);
@@ -73,10 +91,14 @@ private:
 
     std::vector<PanelSpec> m_specs;
     ads::CDockManager* m_manager = nullptr;
+    bool m_isDeviceOpen = false;
     bool m_hadFocus = false; ///< the area whose tab is being changed
     QHash<QString, ads::CDockWidget*> m_docks;
+    DockSizes m_sizes{m_specs, m_docks};
+    WithheldPanels m_withheld{m_docks};
     QHash<QString, QByteArray> m_arrangements;
-    QByteArray m_first; ///< every panel at its first place
+    QByteArray m_beforeMainOnly; ///< the arrangement, while the main panel stands alone
+    QByteArray m_first;          ///< every panel at its first place
     Perspective m_perspective = Perspective::Monitor;
 };
 

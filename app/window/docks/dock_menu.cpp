@@ -3,6 +3,7 @@
 #include "app/window/docks/dock_layout.h"
 
 #include <QApplication>
+#include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockManager.h>
 #include <qtadvanceddocking/DockWidget.h>
 
@@ -21,7 +22,6 @@ void giveKey(QAction& action, const char* key, const QString& what) {
 ads::DockWidgetArea edgeOf(PanelArea area) {
     switch (area) {
     case PanelArea::Left:
-    case PanelArea::LeftBelow:
         return ads::LeftDockWidgetArea;
     case PanelArea::Right:
         return ads::RightDockWidgetArea;
@@ -40,8 +40,9 @@ DockMenu::DockMenu(DockLayout& docks, QWidget* parent)
       m_moves(*static_cast<ads::CDockManager*>(docks.widget())) {
     setToolTipsVisible(true);
     m_float = addAction(QString(), this, &DockMenu::toggleFloating);
-    giveKey(*m_float, "Ctrl+Shift+F",
-            tr("Puts the panel into a window of its own, with a STOP of its own, or back where it was"));
+    giveKey(*m_float, "Ctrl+Shift+F", tr("Move the panel to its own window with STOP, or dock it again"));
+    addSeparator();
+    addTabs();
     addSeparator();
     addSides();
     refresh();
@@ -50,6 +51,25 @@ DockMenu::DockMenu(DockLayout& docks, QWidget* parent)
     connect(qApp, &QApplication::focusChanged, this,
             [this](QWidget*, QWidget* focused) { noteFocus(focused); });
     noteFocus(QApplication::focusWidget());
+}
+
+void DockMenu::addTabs() {
+    const QString what = tr("Brings the tab beside it to the front, with the focus");
+    giveKey(*addAction(tr("Ne&xt tab"), this, [this] { chooseTab(1); }), "Ctrl+PgDown", what);
+    giveKey(*addAction(tr("&Previous tab"), this, [this] { chooseTab(-1); }), "Ctrl+PgUp", what);
+}
+
+/// In the panel's area, round and round.
+void DockMenu::chooseTab(int by) {
+    const ads::CDockWidget* panel = dock();
+    const ads::CDockAreaWidget* area = panel == nullptr ? nullptr : panel->dockAreaWidget();
+    if (area == nullptr) {
+        return;
+    }
+    const QList<ads::CDockWidget*> tabs = area->openedDockWidgets();
+    const int count = static_cast<int>(tabs.size());
+    const int now = static_cast<int>(tabs.indexOf(area->currentDockWidget()));
+    m_docks.raise(tabs[(now + by + count) % count]->objectName());
 }
 
 void DockMenu::addSides() {
@@ -66,8 +86,7 @@ void DockMenu::addSides() {
         });
         giveKey(*action, row.key, what);
     };
-    const QString move =
-        tr("Moves the panel behind the next one on that side, or along that edge of the window");
+    const QString move = tr("Move the panel to the next place on that side or edge");
     for (const Row& row : {Row{tr("Move &left"), "Alt+Shift+Left", Side::Left},
                            Row{tr("Move &right"), "Alt+Shift+Right", Side::Right},
                            Row{tr("Move &up"), "Alt+Shift+Up", Side::Up},
@@ -75,7 +94,7 @@ void DockMenu::addSides() {
         add(row, move, &DockMoves::move);
     }
     addSeparator();
-    const QString resize = tr("Changes the size of the panel, at the expense of what is beside it");
+    const QString resize = tr("Change the panel's size; neighbouring panels adjust");
     for (const Row& row :
          {Row{tr("&Wider"), "Alt+Shift+End", Side::Right}, Row{tr("&Narrower"), "Alt+Shift+Home", Side::Left},
           Row{tr("&Taller"), "Alt+Shift+PgDown", Side::Down},
@@ -102,8 +121,7 @@ ads::CDockWidget* DockMenu::dock() const {
 /// Says which panel is meant; the keys stay alive whatever it says.
 void DockMenu::refresh() {
     const ads::CDockWidget* panel = dock();
-    setTitle(panel == nullptr ? tr("&Arrange the panel")
-                              : tr("&Arrange the panel “%1”").arg(panel->windowTitle()));
+    setTitle(panel == nullptr ? tr("P&anel layout") : tr("P&anel layout “%1”").arg(panel->windowTitle()));
     const bool isAfloat = panel != nullptr && panel->isInFloatingContainer();
     m_float->setText(isAfloat ? tr("Dock it &back") : tr("&Float in its own window"));
 }

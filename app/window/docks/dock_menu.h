@@ -21,6 +21,8 @@ private:
     ads::CDockWidget* dock() const; ///< null: no panel had the focus, or it is closed
     void toggleFloating();
     void addSides();
+    void addTabs();
+    void chooseTab(int by);
     void refresh();
     void noteFocus(const QWidget* focused);
 

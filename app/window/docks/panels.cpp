@@ -43,7 +43,6 @@ constexpr unsigned in(Perspective perspective) {
     return 1U << static_cast<unsigned>(perspective);
 }
 
-constexpr unsigned Everywhere = ~0U;
 constexpr unsigned Nowhere = 0; ///< until the user opens it
 
 struct Row {
@@ -53,12 +52,13 @@ struct Row {
     unsigned perspectives; ///< sum of in()
     const char* helpAddress;
     QWidget* (*make)(Workbench&);
+    PanelNeed need = PanelNeed::Nothing;
 };
 
 constexpr Row Rows[] = {
-    {"devices", QT_TRANSLATE_NOOP("Panels", "Devices"), PanelArea::Left, Everywhere, "monitor.md#devices",
-     make<DevicePanel>},
-    {"signals", QT_TRANSLATE_NOOP("Panels", "Signals"), PanelArea::LeftBelow, Everywhere, "monitor.md#plots",
+    {"devices", QT_TRANSLATE_NOOP("Panels", "Devices"), PanelArea::Centre, in(Perspective::Monitor),
+     "monitor.md#devices", make<DevicePanel>},
+    {"signals", QT_TRANSLATE_NOOP("Panels", "Signals"), PanelArea::Left, Nowhere, "monitor.md#plots",
      make<SignalsPanel>},
     {"recordings", QT_TRANSLATE_NOOP("Panels", "Recordings"), PanelArea::Centre, in(Perspective::Record),
      "monitor.md#recordings", make<RecordingsPanel>},
@@ -73,30 +73,31 @@ constexpr Row Rows[] = {
     {"xy", QT_TRANSLATE_NOOP("Panels", "XY"), PanelArea::Centre, in(Perspective::Monitor), "monitor.md#xy",
      make<XyPanel>},
     {"field", QT_TRANSLATE_NOOP("Panels", "Field"), PanelArea::Centre, in(Perspective::Field),
-     "monitor.md#field", make<FieldPanel>},
-    {"drive", QT_TRANSLATE_NOOP("Panels", "Drive"), PanelArea::Right, in(Perspective::Monitor),
-     "monitor.md#drive", make<DrivePanel>},
-    {"parameters", QT_TRANSLATE_NOOP("Panels", "Parameters"), PanelArea::Right,
-     in(Perspective::Monitor) | in(Perspective::Tune), "monitor.md#parameters", make<ParametersPanel>},
-    {"configuration", QT_TRANSLATE_NOOP("Panels", "Configuration"), PanelArea::Right, in(Perspective::Tune),
+     "monitor.md#field", make<FieldPanel>, PanelNeed::Picture},
+    {"drive", QT_TRANSLATE_NOOP("Panels", "Drive"), PanelArea::Right, Nowhere, "monitor.md#drive",
+     make<DrivePanel>, PanelNeed::Drive},
+    {"parameters", QT_TRANSLATE_NOOP("Panels", "Parameters"), PanelArea::Right, Nowhere,
+     "monitor.md#parameters", make<ParametersPanel>},
+    {"configuration", QT_TRANSLATE_NOOP("Panels", "Configuration"), PanelArea::Right, Nowhere,
      "monitor.md#configuration", make<ConfigurationPanel>},
-    {"record", QT_TRANSLATE_NOOP("Panels", "Record"), PanelArea::Right,
-     in(Perspective::Monitor) | in(Perspective::Record), "monitor.md#recording", make<RecordPanel>},
+    {"record", QT_TRANSLATE_NOOP("Panels", "Record"), PanelArea::Right, in(Perspective::Record),
+     "monitor.md#recording", make<RecordPanel>, PanelNeed::Recording},
     {"identify", QT_TRANSLATE_NOOP("Panels", "Identify"), PanelArea::Centre, in(Perspective::Identify),
-     "identification.md#7-in-the-window", make<IdentifyPanel>},
+     "identification.md#7-in-the-window", make<IdentifyPanel>, PanelNeed::Identification},
     {"calibrate", QT_TRANSLATE_NOOP("Panels", "Calibrate"), PanelArea::Centre, in(Perspective::Identify),
-     "identification.md#6-calibrations", make<CalibratePanel>},
+     "identification.md#6-calibrations", make<CalibratePanel>, PanelNeed::Calibration},
     {"frequency", QT_TRANSLATE_NOOP("Panels", "Frequency response"), PanelArea::Centre,
-     in(Perspective::Identify), "identification.md#8-frequency-response", make<FrequencyPanel>},
+     in(Perspective::Identify), "identification.md#8-frequency-response", make<FrequencyPanel>,
+     PanelNeed::Identification},
     {"relay", QT_TRANSLATE_NOOP("Panels", "Relay experiment"), PanelArea::Centre, in(Perspective::Identify),
-     "identification.md#9-relay-experiment", make<RelayPanel>},
+     "identification.md#9-relay-experiment", make<RelayPanel>, PanelNeed::OneAxisIdentification},
     {"tune", QT_TRANSLATE_NOOP("Panels", "Tune"), PanelArea::Centre, in(Perspective::Tune),
-     "tuning.md#in-the-window", make<TunePanel>},
-    {"log", QT_TRANSLATE_NOOP("Panels", "Log"), PanelArea::Bottom, Everywhere,
+     "tuning.md#in-the-window", make<TunePanel>, PanelNeed::ControlLoop},
+    {"log", QT_TRANSLATE_NOOP("Panels", "Log"), PanelArea::Bottom, Nowhere,
      "monitor.md#stop-faults-a-device-that-fails", make<LogPanel>},
-    {"derived", QT_TRANSLATE_NOOP("Panels", "Derived signals"), PanelArea::Bottom, in(Perspective::Monitor),
+    {"derived", QT_TRANSLATE_NOOP("Panels", "Derived signals"), PanelArea::Bottom, Nowhere,
      "monitor.md#derived-signals", make<DerivedPanel>},
-    {"notes", QT_TRANSLATE_NOOP("Panels", "Notes"), PanelArea::Bottom, Everywhere, "projects.md",
+    {"notes", QT_TRANSLATE_NOOP("Panels", "Notes"), PanelArea::Bottom, Nowhere, "projects.md",
      make<NotesPanel>},
 };
 
@@ -105,7 +106,7 @@ constexpr Row Rows[] = {
 std::vector<PanelSpec> panelSpecs() {
     std::vector<PanelSpec> specs;
     for (const Row& row : Rows) {
-        PanelSpec spec{row.id, words(row.title), row.area, {}, row.helpAddress, row.make};
+        PanelSpec spec{row.id, words(row.title), row.area, {}, row.helpAddress, row.need, row.make};
         for (const Perspective perspective : AllPerspectives) {
             if ((row.perspectives & in(perspective)) != 0) {
                 spec.perspectives.push_back(perspective);

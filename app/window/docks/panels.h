@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/window/docks/panel_needs.h"
 #include "app/window/docks/perspective.h"
 #include "app/workbench/workbench.h"
 
@@ -11,7 +12,7 @@
 
 namespace halbench::app {
 
-enum class PanelArea { Left, LeftBelow, Centre, Right, Bottom };
+enum class PanelArea { Left, Centre, Right, Bottom };
 
 /// One panel of the window: who makes it, where it goes, in which perspectives it is open.
 struct PanelSpec {
@@ -19,7 +20,8 @@ struct PanelSpec {
     QString title;
     PanelArea area = PanelArea::Centre;
     std::vector<Perspective> perspectives;
-    QString helpAddress; ///< page and section of resources/help, as in English
+    QString helpAddress;                 ///< page and section of resources/help, as in English
+    PanelNeed need = PanelNeed::Nothing; ///< of the open device; without one every panel is there
     std::function<QWidget*(Workbench&)> make;
 };
 

@@ -1,6 +1,6 @@
 #include "app/window/docks/perspective_bar.h"
 
-#include "widgets/language/say_words.h"
+#include "widgets/language/translated_text.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QActionGroup>
@@ -59,7 +59,7 @@ void PerspectiveBar::sayWords() {
         const auto perspective = static_cast<Perspective>(action->data().toInt());
         action->setText(perspectiveTitle(perspective));
         action->setToolTip(
-            tr("Arrange the panels for %1 (%2)")
+            tr("Layout for %1 (%2)")
                 .arg(plainTitle(perspective), action->shortcut().toString(QKeySequence::NativeText)));
         for (QWidget* shown : action->associatedWidgets()) {
             if (qobject_cast<QToolButton*>(shown) != nullptr) {
@@ -70,7 +70,7 @@ void PerspectiveBar::sayWords() {
             setPerspective(perspective);
         }
     }
-    m_menu->setToolTip(tr("Arrange the panels for another task (Ctrl+1 to Ctrl+5)"));
+    m_menu->setToolTip(tr("Layout for another task (Ctrl+1 to Ctrl+5)"));
 }
 
 void PerspectiveBar::setPerspective(Perspective perspective) {
@@ -79,6 +79,22 @@ void PerspectiveBar::setPerspective(Perspective perspective) {
     }
     m_menu->setText(perspectiveTitle(perspective) + QStringLiteral(" \u25be"));
     m_menu->setAccessibleName(tr("Perspective %1").arg(plainTitle(perspective)));
+}
+
+void PerspectiveBar::setOffered(Perspective perspective, bool isOffered) {
+    for (QAction* action : m_choices->actions()) {
+        if (action->data().toInt() != static_cast<int>(perspective)) {
+            continue;
+        }
+        action->setVisible(isOffered);
+        action->setEnabled(isOffered); // its key too
+        for (QWidget* shown : action->associatedWidgets()) {
+            if (qobject_cast<QToolButton*>(shown) != nullptr) {
+                shown->setVisible(isOffered);
+            }
+        }
+    }
+    updateGeometry();
 }
 
 void PerspectiveBar::setCollapsed(bool isCollapsed) {

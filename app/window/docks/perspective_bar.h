@@ -18,6 +18,8 @@ public:
     explicit PerspectiveBar(QWidget* parent = nullptr);
 
     void setPerspective(Perspective perspective);
+    /// One that the open device has no use for has neither button nor key.
+    void setOffered(Perspective perspective, bool isOffered);
     void setCollapsed(bool isCollapsed);
     /// What collapsing saves.
     int saved_px() const;

@@ -45,7 +45,7 @@ void HelpWindow::buildBar() {
                             widgets::GridStep_px);
     m_back = new QAction(tr("Back"), this);
     m_back->setShortcut(QKeySequence("Alt+Left"));
-    m_back->setToolTip(tr("The page before (Alt+Left)"));
+    m_back->setToolTip(tr("Previous page (Alt+Left)"));
     m_back->setEnabled(false);
     addAction(m_back);
     connect(m_back, &QAction::triggered, this, &HelpWindow::goBack);
@@ -63,7 +63,7 @@ void HelpWindow::buildBar() {
 QToolButton* HelpWindow::makeClose() {
     auto* action = new QAction(tr("Close"), this);
     action->setShortcut(QKeySequence("Ctrl+W"));
-    action->setToolTip(tr("Closes the help (Ctrl+W; Esc too while nothing is armed and no procedure runs)"));
+    action->setToolTip(tr("Close the help (Ctrl+W; Esc only when disarmed and idle)"));
     addAction(action);
     connect(action, &QAction::triggered, this, &QWidget::close);
     auto* button = new QToolButton(this);
@@ -113,9 +113,9 @@ void HelpWindow::showPage(const QString& page) {
     const QString english = helpText(page);
     const QString text = helpText(page, m_language);
     if (english.isEmpty()) {
-        m_text->setMessage(tr("There is no help page '%1' in this program.").arg(page));
+        m_text->setMessage(tr("Help page '%1' not found.").arg(page));
     } else if (text.isEmpty()) {
-        const QString note = tr("This page is in English only.");
+        const QString note = tr("This page is available in English only.");
         m_text->setPage('*' + note + "*\n\n" + english, helpFolder("en"), english);
     } else {
         m_text->setPage(text, helpFolder(m_language), english);

@@ -57,12 +57,12 @@ QComboBox* PreferencesDialog::addChoice(QFormLayout& form, const QString& label,
 
 void PreferencesDialog::addLook(QFormLayout& form) {
     m_theme = addChoice(form, tr("&Theme"), tr("Colours of the window"));
-    addItem(*m_theme, tr("as the system"), ThemeChoice::System);
+    addItem(*m_theme, tr("same as system"), ThemeChoice::System);
     addItem(*m_theme, tr("light"), ThemeChoice::Light);
     addItem(*m_theme, tr("dark"), ThemeChoice::Dark);
     select(*m_theme, m_before.theme);
-    m_language = addChoice(form, tr("&Language"), tr("Language of the window; files stay as they are"));
-    m_language->addItem(tr("as the system"), QString());
+    m_language = addChoice(form, tr("&Language"), tr("Language of the window; files are not affected"));
+    m_language->addItem(tr("same as system"), QString());
     for (const Language& language : languages()) {
         m_language->addItem(language.name, language.id);
     }
@@ -70,17 +70,16 @@ void PreferencesDialog::addLook(QFormLayout& form) {
 }
 
 void PreferencesDialog::addUnits(QFormLayout& form) {
-    m_angle = addChoice(form, tr("&Angles in"), tr("Unit of measured angles; files are always in SI units"));
+    m_angle = addChoice(form, tr("&Angles in"), tr("Unit of displayed angles; files always use SI units"));
     addItem(*m_angle, tr("degrees"), widgets::AngleUnit::Degree);
     addItem(*m_angle, tr("radians"), widgets::AngleUnit::Radian);
     select(*m_angle, m_before.units.angle);
-    m_speed = addChoice(form, tr("&Speeds in"), tr("Unit of measured speeds; files are always in SI units"));
+    m_speed = addChoice(form, tr("&Speeds in"), tr("Unit of displayed speeds; files always use SI units"));
     addItem(*m_speed, tr("revolutions per minute"), SpeedUnit::TurnsPerMinute);
     addItem(*m_speed, tr("degrees per second"), SpeedUnit::DegreesPerSecond);
     addItem(*m_speed, tr("radians per second"), SpeedUnit::RadiansPerSecond);
     select(*m_speed, m_before.units.speed);
-    m_frequency = addChoice(form, tr("&Frequencies in"),
-                            tr("Unit of the frequency axes of loops and responses; files have Hz"));
+    m_frequency = addChoice(form, tr("&Frequencies in"), tr("Unit of the frequency axes; files use Hz"));
     addItem(*m_frequency, tr("hertz"), FrequencyUnit::Hertz);
     addItem(*m_frequency, tr("radians per second"), FrequencyUnit::RadiansPerSecond);
     select(*m_frequency, m_before.units.frequency);
@@ -92,9 +91,9 @@ void PreferencesDialog::addLockOut(QFormLayout& form) {
     m_lockOut_ms->setSingleStep(LockOutStep_ms);
     m_lockOut_ms->setSuffix(tr(" ms"));
     m_lockOut_ms->setValue(m_before.stopLockOut_ms);
-    m_lockOut_ms->setAccessibleName(tr("Lock-out after a stop"));
-    m_lockOut_ms->setToolTip(tr("After a stop, so long re-arming is refused"));
-    form.addRow(tr("Lock-&out after a stop"), m_lockOut_ms);
+    m_lockOut_ms->setAccessibleName(tr("Release delay after stop"));
+    m_lockOut_ms->setToolTip(tr("Minimum time between a stop and its release"));
+    form.addRow(tr("Release dela&y after stop"), m_lockOut_ms);
 }
 
 void PreferencesDialog::addHistory(QFormLayout& form, std::uint64_t history_bytes) {
@@ -102,14 +101,12 @@ void PreferencesDialog::addHistory(QFormLayout& form, std::uint64_t history_byte
     m_history_GB->setRange(LeastHistory_GB, MostHistory_GB);
     m_history_GB->setSuffix(tr(" GB"));
     m_history_GB->setValue(m_before.historyLimit_GB);
-    m_history_GB->setAccessibleName(tr("History on the disk, at most"));
-    m_history_GB->setToolTip(tr(
-        "So much of the disk this window takes for samples that memory has no room for; beyond it the oldest "
-        "go first. 4 GB of the disk stay free in any case. A smaller limit is reached as samples come; "
-        "recordings are not concerned"));
+    m_history_GB->setAccessibleName(tr("Maximum history on disk"));
+    m_history_GB->setToolTip(tr("Disk space for samples that do not fit into memory; the oldest are dropped "
+                                "first. 4 GB always stay free. Recordings are not affected"));
     const double used_GB = static_cast<double>(history_bytes) / static_cast<double>(BytesPerGB);
     auto* used = new QLabel(tr("used: %1 GB").arg(widgets::fixedText(used_GB, 1)), this);
-    used->setAccessibleName(tr("History on the disk now"));
+    used->setAccessibleName(tr("Present history on disk"));
     auto* row = new QHBoxLayout;
     row->addWidget(m_history_GB);
     row->addWidget(used);
@@ -121,8 +118,8 @@ void PreferencesDialog::addHistory(QFormLayout& form, std::uint64_t history_byte
 
 void PreferencesDialog::addButtons(QFormLayout& form, Workbench& bench) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Use what is chosen (Enter)"));
-    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Leave all as it was (Esc, which stops too)"));
+    buttons->button(QDialogButtonBox::Ok)->setToolTip(tr("Apply the settings (Enter)"));
+    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Discard the changes (Esc, which also stops)"));
     QPushButton* use = buttons->button(QDialogButtonBox::Ok);
     use->setEnabled(m_recordings->isReady());
     connect(m_recordings, &RecordingFields::changed, use,

@@ -3,7 +3,7 @@
 #include "app/workspaces/parts/panel_parts.h"
 #include "widgets/controls/progress_row.h"
 #include "widgets/language/display_units.h"
-#include "widgets/language/number_words.h"
+#include "widgets/language/number_text.h"
 #include "widgets/language/phrasebook.h"
 
 #include <QCheckBox>
@@ -56,8 +56,8 @@ RecordingFields::RecordingFields(QFormLayout& form, const Preferences& preferenc
 void RecordingFields::addNames(QFormLayout& form, const QString& mask) {
     m_mask = new QLineEdit(mask, m_dialog);
     m_mask->setAccessibleName(tr("Names of recordings"));
-    m_mask->setToolTip(tr("Of recordings without a name of their own: {device}, {date} and {time} (UTC), "
-                          "{number}; {name} is what the Record panel has. The rest stays as it is"));
+    m_mask->setToolTip(tr("Names of unnamed recordings: {device}, {date} and {time} (UTC), {number}; {name} "
+                          "is set in the Record panel"));
     m_example = makeNote(m_dialog);
     m_example->setAccessibleName(tr("Example of a recording's name"));
     reserveLines(*m_example, 2);
@@ -87,16 +87,14 @@ void RecordingFields::setLimit(Limit& limit, const std::optional<int>& count) {
 }
 
 void RecordingFields::addKeeping(QFormLayout& form) {
-    const QString which =
-        tr("Only what the program named itself goes, the oldest first, into the trash; "
-           "what the trash does not take stays. What has tags, notes or results, is open or "
-           "less than a day old stays");
-    m_days = addLimit(tr("at &most"), tr(" days"), MostRetentionDays, UsualDays);
-    m_size = addLimit(tr("an&d at most"), tr(" GB"), MostKept_GB, UsualSize_GB);
-    m_days.isOn->setAccessibleName(tr("Keep recordings for a time"));
-    m_days.count->setAccessibleName(tr("Days that recordings are kept"));
-    m_size.isOn->setAccessibleName(tr("Limit the disk of recordings"));
-    m_size.count->setAccessibleName(tr("Disk that recordings take"));
+    const QString which = tr("The oldest recordings named by the program move to the trash. Recordings that "
+                             "are open, younger than a day or have tags, notes or results are kept");
+    m_days = addLimit(tr("&older than"), tr(" days"), MostRetentionDays, UsualDays);
+    m_size = addLimit(tr("a&bove"), tr(" GB"), MostKept_GB, UsualSize_GB);
+    m_days.isOn->setAccessibleName(tr("Delete recordings by age"));
+    m_days.count->setAccessibleName(tr("Age at which recordings are deleted, in days"));
+    m_size.isOn->setAccessibleName(tr("Delete recordings by disk space"));
+    m_size.count->setAccessibleName(tr("Disk space above which recordings are deleted"));
     auto* row = new QHBoxLayout;
     for (QWidget* part :
          std::initializer_list<QWidget*>{m_days.isOn, m_days.count, m_size.isOn, m_size.count}) {
@@ -105,9 +103,9 @@ void RecordingFields::addKeeping(QFormLayout& form) {
     }
     row->addStretch(1);
     m_plan = makeNote(m_dialog);
-    m_plan->setAccessibleName(tr("Recordings that would go now"));
+    m_plan->setAccessibleName(tr("Recordings to be deleted now"));
     reserveLines(*m_plan, 2);
-    form.addRow(tr("Keep recordings"), row);
+    form.addRow(tr("Delete old recordings"), row);
     form.addRow(QString(), m_plan);
     setLimit(m_days, m_before.days);
     const auto size_GB = m_before.size_bytes
@@ -157,13 +155,13 @@ void RecordingFields::showPlan() {
     const RetentionLimits wanted = limits();
     if (!wanted.isOn()) {
         m_planning.cancel();
-        m_plan->setText(tr("Nothing is ever removed."));
+        m_plan->setText(tr("Currently never."));
         m_plan->setToolTip({});
         showRole(*m_plan, widgets::Role::Muted);
         Q_EMIT changed();
         return;
     }
-    m_plan->setText(tr("Looking at what would go …"));
+    m_plan->setText(tr("Checking recordings …"));
     m_planning.run([folder = m_bench.recording().folder(), wanted,
                     now = m_bench.now()] { return planRetention(folder, wanted, now); },
                    [this](const RetentionPlan& plan) { say(plan); });
@@ -174,13 +172,12 @@ void RecordingFields::say(const RetentionPlan& plan) {
     const QString folder = QDir::toNativeSeparators(m_bench.recording().folder());
     const auto count = static_cast<int>(plan.removals.size());
     if (!plan.fromFuture.isEmpty()) {
-        m_plan->setText(
-            tr("Nothing goes from %1 for now: %2 is dated after now, so the clock is or was wrong.")
-                .arg(folder, plan.fromFuture));
+        m_plan->setText(tr("Nothing is deleted from %1: %2 has a date in the future. Check the clock.")
+                            .arg(folder, plan.fromFuture));
     } else if (count == 0) {
-        m_plan->setText(tr("With OK nothing goes now from %1.").arg(folder));
+        m_plan->setText(tr("OK deletes nothing from %1 now.").arg(folder));
     } else {
-        m_plan->setText(tr("With OK %n recording(s) go to the trash now (%1), from %2.", nullptr, count)
+        m_plan->setText(tr("OK moves %n recording(s) to the trash now (%1), from %2.", nullptr, count)
                             .arg(sizeText(plan.before_bytes - plan.after_bytes), folder));
     }
     m_plan->setToolTip(namesIn(plan));

@@ -28,21 +28,20 @@ RecordingPlace::RecordingPlace(Workbench& bench, QObject* parent) : QObject(pare
     }
     bool isNumber = false;
     const double rate_Hz = settings.value(RateKey).toDouble(&isNumber);
-    if (isNumber && std::isfinite(rate_Hz) && rate_Hz > 0.0 && rate_Hz <= FastestRate_Hz) {
+    if (isNumber && std::isfinite(rate_Hz) && rate_Hz >= 0.0 && rate_Hz <= FastestRate_Hz) {
         recording.setRate_Hz(rate_Hz);
     }
     m_folder = folder;
-    m_rate_Hz = isNumber ? rate_Hz : 0.0;
+    m_rate_Hz = isNumber ? rate_Hz : -1.0; // none is kept yet
     connect(&recording, &RecordingControl::changed, this, &RecordingPlace::keep);
 }
 
 void RecordingPlace::tell() {
     if (!m_lost.isEmpty()) {
-        m_bench.session().message(
-            MessageLevel::Warning, tr("recordings"),
-            tr("The folder of the last recording, %1, is not there; recordings go to %2.")
-                .arg(QDir::toNativeSeparators(m_lost),
-                     QDir::toNativeSeparators(m_bench.recording().folder())));
+        m_bench.session().message(MessageLevel::Warning, tr("recordings"),
+                                  tr("Folder %1 of the last recording not found. Recordings are saved to %2.")
+                                      .arg(QDir::toNativeSeparators(m_lost),
+                                           QDir::toNativeSeparators(m_bench.recording().folder())));
         m_lost.clear();
     }
 }

@@ -79,8 +79,7 @@ void RecordingTidying::tell(const QString& folder, const Look& look, bool isAgre
     if (!look.plan.fromFuture.isEmpty()) {
         m_bench.session().message(
             MessageLevel::Warning, tr("recordings"),
-            tr("nothing is tidied away: %1 is dated after now, so the clock is or was wrong")
-                .arg(look.plan.fromFuture));
+            tr("nothing deleted: %1 has a date in the future, check the clock").arg(look.plan.fromFuture));
     }
     if (const auto count = static_cast<int>(look.plan.removals.size()); count > 0 && !isAgreed) {
         Q_EMIT withheld(folder, count);
@@ -99,12 +98,12 @@ int RecordingTidying::tellOutcomes(const std::vector<Outcome>& outcomes) {
         const QString path = QDir::toNativeSeparators(outcome.removal.recording.path);
         if (!outcome.result) {
             session.message(MessageLevel::Warning, tr("recordings"),
-                            tr("not tidied away: %1").arg(widgets::inWords(outcome.result.error().message)));
+                            tr("not deleted: %1").arg(widgets::inWords(outcome.result.error().message)));
             continue;
         }
         ++removed;
-        const QString reason = outcome.removal.isTooOld ? tr("older than the preferences keep")
-                                                        : tr("no room by the preferences");
+        const QString reason = outcome.removal.isTooOld ? tr("older than the limit in the preferences")
+                                                        : tr("above the disk limit in the preferences");
         session.message(MessageLevel::Info, tr("recordings"),
                         tr("moved to the trash: %1 (%2)").arg(path, reason));
     }

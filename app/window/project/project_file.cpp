@@ -100,7 +100,7 @@ Result<void> checkSchema(const ConfigNode& root, const std::string& place) {
     }
     if (schema.rfind("halbench.project/", 0) == 0) {
         return failure(ErrorCode::InvalidInput,
-                       fmt::format("{}: is a '{}', made by a newer version", place, schema),
+                       fmt::format("{}: is a '{}' of a newer version", place, schema),
                        fmt::format("this version reads {}; the file is left as it is", Schema));
     }
     return failure(ErrorCode::InvalidInput, fmt::format("{}: is not a Halbench project", place),

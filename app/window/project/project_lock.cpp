@@ -35,7 +35,7 @@ Result<ProjectLock> ProjectLock::take(const std::string& projectPath) {
     return failure(ErrorCode::Refused,
                    fmt::format("{} is open in another window (process {} on {})", projectPath, process,
                                machine.toStdString()),
-                   fmt::format("close it there; if it is open nowhere, remove {}", lock.m_path));
+                   fmt::format("close it there; if it is not open, remove {}", lock.m_path));
 }
 
 bool ProjectLock::isOf(const std::string& projectPath) const {

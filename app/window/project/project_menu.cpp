@@ -1,5 +1,6 @@
 #include "app/window/project/project_menu.h"
 
+#include "widgets/language/local_time.h"
 #include "widgets/language/phrasebook.h"
 
 #include <QDateTime>
@@ -39,9 +40,9 @@ void ProjectMenu::addTo(QMenu& menu) {
 bool ProjectMenu::refuseWhileBusy() {
     const bool isBusy = m_isBusy();
     if (isBusy) {
-        refused(tr("No project is opened while the actuator is armed or a procedure runs: a slow disk would "
-                   "hold up Esc."),
-                tr("Disarm it, or wait for the end of the procedure, then open the project."));
+        refused(tr("A project cannot be opened while the actuator is armed or a procedure is running: a slow "
+                   "disk would delay Esc."),
+                tr("Disarm, or wait for the end of the procedure, then open the project."));
     }
     return isBusy;
 }
@@ -108,8 +109,7 @@ void ProjectMenu::open(const QString& path) {
     collecting();
     const std::string file = path.toStdString();
     if (m_session.has(file) && m_session.isChanged()) {
-        recovered(tr("%1 is open here, with changes that are not saved yet.").arg(QFileInfo(path).fileName()),
-                  {});
+        recovered(tr("%1 opened with unsaved changes.").arg(QFileInfo(path).fileName()), {});
         return;
     }
     leaveThen([this, path] { openFile(path); });
@@ -127,14 +127,14 @@ void ProjectMenu::openFile(const QString& path) {
     }
     remember(path);
     if (const auto aside = m_session.setAsideDamaged(file)) {
-        recovered(tr("The autosave of the project could not be read; it was kept as %1.")
+        recovered(tr("The project's autosave could not be read; it was moved to %1.")
                       .arg(QString::fromStdString(*aside)),
-                  tr("The project itself is as it was saved."));
+                  tr("The saved file is unchanged."));
     }
     if (const std::optional<Project> left = m_session.recoverable(file);
         left && !isSameWork(*left, m_session.project())) {
         m_session.recover(file, *left);
-        recovered(tr("Unsaved work of %1 was recovered; save it to keep it.").arg(QFileInfo(path).fileName()),
+        recovered(tr("Unsaved work of %1 was recovered. Save it to keep it.").arg(QFileInfo(path).fileName()),
                   {});
     }
     opened();
@@ -146,8 +146,8 @@ void ProjectMenu::openCopy(const QString& path) {
             say(read.error());
             return;
         }
-        recovered(tr("This is a copy of %1, a new project without a name.").arg(QFileInfo(path).fileName()),
-                  tr("Save it under a name of its own to keep it."));
+        recovered(tr("This is a copy of %1, without a name.").arg(QFileInfo(path).fileName()),
+                  tr("Save it with a new name to keep it."));
         opened();
     });
 }
@@ -214,7 +214,7 @@ void ProjectMenu::fillRecent() {
     }
     addUnnamed();
     if (m_recent->isEmpty()) {
-        m_recent->addAction(tr("No project was opened yet"))->setEnabled(false);
+        m_recent->addAction(tr("No recent projects"))->setEnabled(false);
     }
 }
 
@@ -222,7 +222,7 @@ void ProjectMenu::fillRecent() {
 void ProjectMenu::addUnnamed() {
     for (const std::string& place : m_session.waiting()) {
         const QFileInfo file(QString::fromStdString(autosavePath(place)));
-        const QString when = QLocale().toString(file.lastModified(), QLocale::ShortFormat);
+        const QString when = widgets::localTimeText(file.lastModified());
         m_recent->addAction(tr("Unnamed project, %1").arg(when), this,
                             [this, place] { leaveThen([this, place] { openUnnamed(place); }); });
     }

@@ -72,7 +72,7 @@ void ProjectReader::documents(const ConfigNode& node, const std::string& key,
 void ProjectReader::refuse(const ConfigNode& node, const std::string& text) {
     if (!m_error) {
         m_error = Error{ErrorCode::InvalidInput, fmt::format("{}: {}", node.where(), text),
-                        "the file is left as it is; open another project or mend this line"};
+                        "the file is not changed; open another project or correct this line"};
     }
 }
 

@@ -36,7 +36,7 @@ void readUnits(ProjectReader& reader, const ConfigNode& node, PlotChoice& plot) 
         if (value.kind != ConfigNode::Kind::Text) {
             reader.reset(value, fmt::format("'{}' must be a text", "units." + name));
         } else if (!isDisplayUnit(value.text)) {
-            reader.reset(value, fmt::format("'{}' is no unit that a signal is shown in; there are {}",
+            reader.reset(value, fmt::format("'{}' is not a display unit of this signal; available: {}",
                                             value.text, displayUnitNames()));
         } else if (!has(plot.signalNames, name) && !has(plot.rightNames, name)) {
             reader.reset(value, fmt::format("'units' names '{}', which this [[plot]] does not show", name));

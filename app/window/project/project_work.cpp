@@ -1,8 +1,8 @@
 #include "app/window/project/project_work.h"
 
+#include "app/documents/filtered_gains.h"
 #include "app/documents/identification_file.h"
 #include "app/documents/result_documents.h"
-#include "app/documents/shaped_gains.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/tune/tune_panel.h"
@@ -68,7 +68,7 @@ ProjectWork::ProjectWork(Workbench& bench, Panels panels, QObject* parent)
 void ProjectWork::fill(Project& project) const {
     project.models = m_models;
     project.designs.clear();
-    for (const KeptDesign& design : m_panels.tune.keptDesigns()) {
+    for (const KeptDesign& design : m_panels.tune.savedDesigns()) {
         project.designs.push_back({design.name, design.document});
     }
     if (m_designInUse) {
@@ -164,12 +164,12 @@ QString ProjectWork::restoreDesign(const std::vector<NamedDocument>& designs) {
             kept.push_back(keptDesign(one->name, one->document));
         }
     }
-    m_panels.tune.setKeptDesigns(std::move(kept));
+    m_panels.tune.setSavedDesigns(std::move(kept));
     if (!m_designInUse) {
         m_panels.tune.restoreDesign(std::nullopt);
         return {};
     }
-    Result<GainsFile> gains = parseShapedGains(m_designInUse->document, m_designInUse->name);
+    Result<GainsFile> gains = parseFilteredGains(m_designInUse->document, m_designInUse->name);
     if (!gains) {
         // Beside what is designed in its place, which would be written over it.
         m_panels.tune.adoptDesign(m_designInUse->name, m_designInUse->document);

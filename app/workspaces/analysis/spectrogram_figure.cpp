@@ -68,7 +68,7 @@ QString spectrogramWords(const control::Spectrogram& spectrogram, control::Windo
     const double line_Hz = spectrogram.frequency_Hz.size() > 1 ? spectrogram.frequency_Hz[1] : 0.0;
     const auto number = [](double value) { return widgets::numberText(value, Digits); };
     QStringList words;
-    words << Words::tr("Lines every %1 Hz, resolution %2 Hz, segments of %3 s")
+    words << Words::tr("Bin width %1 Hz, resolution %2 Hz, segments of %3 s")
                  .arg(number(line_Hz), number(control::figuresOf(window).noiseBandwidth_lines * line_Hz),
                       number(1.0 / line_Hz));
     if (spectrogram.time_s.size() > 1) {

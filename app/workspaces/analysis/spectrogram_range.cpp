@@ -32,14 +32,10 @@ SpectrogramRange::SpectrogramRange(QWidget* parent) : QWidget(parent) {
         connect(edit, &widgets::OptionalNumberEdit::valueChanged, this, &SpectrogramRange::edited);
         return edit;
     };
-    m_lowest = add(tr("Lowest [Hz]"), tr("The lowest frequency shown; empty: all"));
-    m_highest = add(tr("Highest [Hz]"), tr("The highest frequency shown; empty: all"));
-    m_darkest =
-        add(tr("Colours from"), tr("The value of the darkest colour, in the unit of the scale; empty: "
-                                   "by what is shown"));
-    m_brightest =
-        add(tr("Colours to"), tr("The value of the brightest colour, in the unit of the scale; empty: "
-                                 "by what is shown"));
+    m_lowest = add(tr("Min. [Hz]"), tr("Lowest frequency shown; empty: all"));
+    m_highest = add(tr("Max. [Hz]"), tr("Highest frequency shown; empty: all"));
+    m_darkest = add(tr("Colour scale min"), tr("Value of the darkest colour; empty: automatic"));
+    m_brightest = add(tr("Colour scale max"), tr("Value of the brightest colour; empty: automatic"));
     limitColours(false);
     column->addWidget(grid);
 }
@@ -82,10 +78,10 @@ QString SpectrogramRange::problem() const {
         return low.value() && high.value() && *low.value() >= *high.value();
     };
     if (isEmpty(*m_lowest, *m_highest)) {
-        return tr("The lowest frequency must be below the highest; all are shown.");
+        return tr("The lowest frequency must be below the highest. All are shown.");
     }
     return isEmpty(*m_darkest, *m_brightest)
-               ? tr("The colours must begin below their end; they follow what is shown.")
+               ? tr("The minimum of the colour scale must be below its maximum. Automatic scale used.")
                : QString();
 }
 

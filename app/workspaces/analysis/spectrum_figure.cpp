@@ -92,11 +92,11 @@ widgets::Figure spectrumFigure(const control::Spectrum& spectrum, const Spectrum
 
 QString spectrumWords(const control::Spectrum& spectrum, const SpectrumLook& look) {
     QStringList words;
-    words << Words::tr("Lines every %1 Hz, resolution %2 Hz, segments of %3 s")
+    words << Words::tr("Bin width %1 Hz, resolution %2 Hz, segments of %3 s")
                  .arg(number(spectrum.lineDistance_Hz()), number(spectrum.noiseBandwidth_Hz()),
                       number(spectrum.segment_s()));
     const QString averages = Words::tr("%Ln average(s)", nullptr, static_cast<int>(spectrum.segments));
-    words << (spectrum.segments > 1 ? Words::tr("%1 (worth %2 independent ones)")
+    words << (spectrum.segments > 1 ? Words::tr("%1 (equal to %2 independent ones)")
                                           .arg(averages, number(spectrum.equivalentAverages, 3))
                                     : averages);
     const std::size_t middle = spectrum.values.size() / 2;
@@ -109,7 +109,7 @@ QString spectrumWords(const control::Spectrum& spectrum, const SpectrumLook& loo
                  .arg(number(look.quantity.factor * spectrum.rms),
                       spectrumUnitText(look.quantity.unit, SpectrumScale::Rms));
     if (spectrum.gaps > 0 || spectrum.missingValues > 0) {
-        words << Words::tr("no segment reaches across the %1 gaps and %2 missing values")
+        words << Words::tr("no segment spans the %1 gaps and %2 missing values")
                      .arg(widgets::countText(spectrum.gaps), widgets::countText(spectrum.missingValues));
     }
     return words.join(QStringLiteral("; ")) + '.';

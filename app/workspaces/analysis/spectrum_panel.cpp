@@ -44,9 +44,9 @@ QStringList windowNames() {
 } // namespace
 
 SpectrumPanel::SpectrumPanel(Workbench& bench, QWidget* parent) : LivePicture(bench, parent) {
-    begin(tr("Nothing to analyse yet"),
-          tr("Shows which frequencies are in a signal of a connected device, live. Choose a device "
-             "at the left, or try the simulated motor."),
+    begin(tr("No data to analyse"),
+          tr("Live spectrum of a signal. Connect a device: choose one on the left, or try the simulated "
+             "motor."),
           buildContent());
 }
 
@@ -66,17 +66,16 @@ QWidget* SpectrumPanel::buildContent() {
     m_logFrequency =
         addSwitch(*bar, tr("Log frequency"), tr("Logarithmic axis of the frequency"), "X", false);
     m_logValue = addSwitch(*bar, tr("Log values"), tr("Logarithmic axis of the values"), "Y", true);
-    m_overTime =
-        addSwitch(*bar, tr("Over time"),
-                  tr("Spectrogram: spectra of the segments beside each other, in colours"), "O", false);
-    m_decibel = addSwitch(*bar, tr("dB"), tr("The colours' scale in dB, re 1 of the unit"), "D", false);
+    m_overTime = addSwitch(*bar, tr("Spectrogram"),
+                           tr("Spectrogram: spectra of the segments over time, in colours"), "O", false);
+    m_decibel = addSwitch(*bar, tr("dB"), tr("Colour scale in dB relative to 1 of the unit"), "D", false);
     m_decibel->setEnabled(false);
-    m_hold = addSwitch(*bar, tr("Hold"), tr("Keep the spectrum as it is; the data go on"), "H", false);
+    m_hold = addSwitch(*bar, tr("Hold"), tr("Freeze the spectrum; data acquisition continues"), "H", false);
     column->addWidget(bar);
     column->addWidget(buildPictures(content), 1);
     addData({m_view, m_gram}, tr("Save the lines as a table (CSV), in SI units"),
             QStringLiteral("spectrum.csv"));
-    m_words = makeWords(content, tr("What the spectrum says"));
+    m_words = makeWords(content, tr("Summary of the spectrum"));
     column->addWidget(m_words);
     return content;
 }
@@ -87,18 +86,16 @@ QWidget* SpectrumPanel::buildPictures(QWidget* parent) {
     auto* row = new QHBoxLayout(lines);
     row->setContentsMargins(0, 0, 0, 0);
     m_view =
-        makeView(lines, tr("The arrow keys walk along the lines; Ctrl+C copies the picture, Ctrl+E saves it"),
+        makeView(lines, tr("Arrow keys move along the lines; Ctrl+C copies the picture, Ctrl+E saves it"),
                  QStringLiteral("spectrum.svg"));
     row->addWidget(m_view, 1);
     buildPeaks(lines);
     row->addWidget(m_peaks);
     m_gram = new widgets::SpectrogramView(m_pictures);
-    m_gram->setToolTip(tr("The arrow keys walk from the highest value, with Shift ten times as far; Ctrl+C "
-                          "copies the picture, Ctrl+E saves it"));
-    connect(m_gram, &widgets::SpectrogramView::exportRequested, this, [this] {
-        savePictureAs(QStringLiteral("spectrogram.png"),
-                      [this](const QString& path) { return m_gram->saving(path); });
-    });
+    m_gram->setToolTip(tr("Arrow keys move from the highest value (Shift: ten steps); Ctrl+C copies the "
+                          "picture, Ctrl+E saves it"));
+    connect(m_gram, &widgets::SpectrogramView::exportRequested, this,
+            [this] { savePictureAs(QStringLiteral("spectrogram.png"), m_gram->taken()); });
     m_pictures->addWidget(lines);
     m_pictures->addWidget(m_gram);
     connect(m_overTime, &QAction::toggled, this, &SpectrumPanel::showOverTime);
@@ -107,15 +104,14 @@ QWidget* SpectrumPanel::buildPictures(QWidget* parent) {
 
 void SpectrumPanel::buildBoxes(FieldGrid& grid) {
     m_signal = makeBox(&grid);
-    grid.addTitled(tr("Signal"), tr("Whose frequencies; also by dropping a signal of the tree here"),
-                   m_signal);
-    m_scale = grid.addBox(tr("Shown as"),
-                          tr("Amplitude or rms value of steady sines; densities of noise, in which the "
-                             "length of the segments does not count"),
-                          {tr("Amplitude"), tr("RMS"), tr("Power density"), tr("Amplitude density")});
+    grid.addTitled(tr("Signal"), tr("Signal to analyse; a signal can also be dropped here"), m_signal);
+    m_scale = grid.addBox(
+        tr("Quantity"),
+        tr("Amplitude or rms for steady sines; densities for noise, independent of the segment length"),
+        {tr("Amplitude"), tr("RMS"), tr("Power density"), tr("Amplitude density")});
     m_window = grid.addBox(tr("Window"),
-                           tr("Weights against leakage: Hann for most, flat top for exact amplitudes, "
-                              "Blackman-Harris for weak lines beside strong ones"),
+                           tr("Window function: Hann in general, flat top for exact amplitudes, "
+                              "Blackman-Harris for weak lines near strong ones"),
                            windowNames());
     m_window->setCurrentIndex(static_cast<int>(control::WindowShape::Hann));
     for (QComboBox* box : {m_scale, m_window}) {
@@ -124,16 +120,16 @@ void SpectrumPanel::buildBoxes(FieldGrid& grid) {
 }
 
 void SpectrumPanel::buildNumbers(FieldGrid& grid) {
-    m_stretch = grid.addNumber(
-        {tr("Last"), tr("The newest seconds are analysed"), QStringLiteral("s"), 1, 0.1, 3600.0, 1.0});
+    m_stretch = grid.addNumber({tr("Time span"), tr("Length of the analysed data, up to now"),
+                                QStringLiteral("s"), 1, 0.1, 3600.0, 1.0});
     m_stretch->setQuantity(10.0);
     m_segment = grid.addNumber({tr("Segment"),
-                                tr("Longer segments part lines that are closer, more of them average noise. "
-                                   "0: the whole stretch for amplitudes, at least eight for densities"),
+                                tr("Longer segments give finer resolution, more segments less noise. 0: full "
+                                   "length for amplitudes, at least eight segments for densities"),
                                 QStringLiteral("s"), 3, 0.0, 3600.0, 0.1});
     m_segment->setSpecialValueText(tr("automatic"));
     m_overlap = grid.addNumber(
-        {tr("Overlap"), tr("Of neighbouring segments"), QStringLiteral("%"), 0, 0.0, 95.0, 5.0});
+        {tr("Overlap"), tr("Overlap of neighbouring segments"), QStringLiteral("%"), 0, 0.0, 95.0, 5.0});
     m_overlap->setQuantity(50.0);
     for (widgets::QuantityEdit* number : {m_stretch, m_segment, m_overlap}) {
         connect(number, &widgets::QuantityEdit::edited, this, &SpectrumPanel::askAnew);
@@ -143,7 +139,7 @@ void SpectrumPanel::buildNumbers(FieldGrid& grid) {
 void SpectrumPanel::buildPeaks(QWidget* parent) {
     m_peaks = new QTableWidget(0, 2, parent);
     m_peaks->setAccessibleName(tr("Highest peaks"));
-    m_peaks->setToolTip(tr("Lines higher than all others within the window's main lobe"));
+    m_peaks->setToolTip(tr("Local maxima outside the window's main lobe"));
     m_peaks->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_peaks->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_peaks->setTabKeyNavigation(false);

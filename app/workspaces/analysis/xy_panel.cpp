@@ -48,9 +48,9 @@ widgets::EstimateRow estimate(const QString& name, double value, double halfWidt
 } // namespace
 
 XyPanel::XyPanel(Workbench& bench, QWidget* parent) : LivePicture(bench, parent) {
-    begin(tr("Nothing to show yet"),
-          tr("Shows two signals of a connected device against each other, at first the Hall sensors "
-             "with their ellipse. Choose a device at the left, or try the simulated motor."),
+    begin(tr("No data to show"),
+          tr("Two signals plotted against each other, initially the Hall sensors with their ellipse. Connect "
+             "a device: choose one on the left, or try the simulated motor."),
           buildContent());
 }
 
@@ -58,12 +58,12 @@ QWidget* XyPanel::buildContent() {
     auto* content = new QWidget(this);
     QVBoxLayout* column = makePanelColumn(content);
     column->addWidget(buildFields(content));
-    m_view = makeView(content,
-                      tr("The arrow keys walk along the points; Ctrl+C copies the picture, Ctrl+E saves it"),
-                      QStringLiteral("xy.svg"));
+    m_view =
+        makeView(content, tr("Arrow keys move along the points; Ctrl+C copies the picture, Ctrl+E saves it"),
+                 QStringLiteral("xy.svg"));
     column->addWidget(m_view, 1);
     addData({m_view}, tr("Save all points as a table (CSV), in SI units"), QStringLiteral("xy.csv"));
-    m_words = makeWords(content, tr("What the ellipse says"));
+    m_words = makeWords(content, tr("Summary of the ellipse"));
     column->addWidget(m_words);
     m_numbers = new widgets::EstimateTable(content);
     m_numbers->setAccessibleName(tr("Fitted ellipse"));
@@ -74,17 +74,14 @@ QWidget* XyPanel::buildContent() {
 QWidget* XyPanel::buildFields(QWidget* parent) {
     auto* grid = new FieldGrid(GridColumns, parent);
     m_x = makeBox(grid);
-    grid->addTitled(tr("Across"),
-                    tr("The signal of the horizontal axis; also by dropping one of the tree here"), m_x);
+    grid->addTitled(tr("X"), tr("Signal of the horizontal axis; a signal can also be dropped here"), m_x);
     m_y = makeBox(grid);
-    grid->addTitled(tr("Up"), tr("The signal of the vertical axis; also by dropping one of the tree here"),
-                    m_y);
-    m_stretch = grid->addNumber(
-        {tr("Last"), tr("The newest seconds are shown"), QStringLiteral("s"), 1, 0.1, 3600.0, 1.0});
+    grid->addTitled(tr("Y"), tr("Signal of the vertical axis; a signal can also be dropped here"), m_y);
+    m_stretch = grid->addNumber({tr("Time span"), tr("Length of the data shown, up to now"),
+                                 QStringLiteral("s"), 1, 0.1, 3600.0, 1.0});
     m_stretch->setQuantity(10.0);
     m_ellipse = new QCheckBox(tr("Ellip&se"), grid);
-    m_ellipse->setToolTip(
-        tr("Fits an ellipse through the points; they must go round it several times (Alt+E)"));
+    m_ellipse->setToolTip(tr("Fit an ellipse to the points; needs several turns (Alt+E)"));
     m_ellipse->setChecked(true);
     grid->addPlain(m_ellipse);
     connect(m_stretch, &widgets::QuantityEdit::edited, this, &XyPanel::askAnew);
@@ -182,17 +179,17 @@ void XyPanel::showFit(const Result<control::HallEllipseFit>& fit, widgets::Figur
                   y.factor * sigmas * error.offsetB_T, y.unit),
          estimate(tr("Amplitude of %1").arg(signalWords(m_x->signal())), x.factor * ellipse.amplitude_T,
                   x.factor * sigmas * error.amplitude_T, x.unit),
-         estimate(tr("Ratio of the amplitudes"), ellipse.gain_ratio, sigmas * error.gain_ratio, {}),
-         estimate(tr("Phase beyond 90\u00b0"), radiansToDegrees(ellipse.quadrature_rad),
+         estimate(tr("Amplitude ratio"), ellipse.gain_ratio, sigmas * error.gain_ratio, {}),
+         estimate(tr("Phase error from 90°"), radiansToDegrees(ellipse.quadrature_rad),
                   radiansToDegrees(sigmas * error.quadrature_rad), degree)});
     QStringList words;
     if (figure.isEqualScale) {
         const EllipseAxes axes = ellipseAxes(ellipse);
-        words << tr("Longest and shortest radius %1 and %2 %3")
+        words << tr("Semi-axes %1 and %2 %3")
                      .arg(widgets::numberText(x.factor * axes.large, 5),
                           widgets::numberText(x.factor * axes.small, 5), x.unit);
     }
-    words << tr("rms distance of the points from the ellipse %1 % of the amplitude")
+    words << tr("rms residual of the ellipse %1 % of the amplitude")
                  .arg(widgets::numberText(PerCent * fit->residual_ratio, 3));
     m_words->setText(words.join(QStringLiteral("; ")) + '.');
     showRole(*m_words, widgets::Role::Muted);

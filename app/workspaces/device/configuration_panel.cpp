@@ -23,9 +23,8 @@ ConfigurationPanel::ConfigurationPanel(Workbench& bench, QWidget* parent, const 
     : QWidget(parent), m_bench(bench), m_backups(backups) {
     QVBoxLayout* column = makePanelColumn(this);
     m_save = makeButton(
-        {tr("Save settings …"), tr("Writes all settings of the device into a file"), QStringLiteral("save")},
-        this);
-    m_open = makeButton({tr("Compare with …"), tr("Shows a file beside the device; nothing is written yet"),
+        {tr("Save settings …"), tr("Save all device settings to a file"), QStringLiteral("save")}, this);
+    m_open = makeButton({tr("Compare with …"), tr("Compare a file with the device; nothing is written yet"),
                          QStringLiteral("open")},
                         this);
     auto* files = new QHBoxLayout;
@@ -55,11 +54,10 @@ ConfigurationPanel::ConfigurationPanel(Workbench& bench, QWidget* parent, const 
 QWidget* ConfigurationPanel::buildEmpty() {
     auto* empty = new widgets::EmptyState(this);
     empty->setIconName(QStringLiteral("open"));
-    empty->setWords(
-        tr("No configuration file is open"),
-        tr("A file shows row by row what differs from the device, to restore what you tick. Before "
-           "that, what the device has is kept."),
-        tr("Compare with a file …"));
+    empty->setWords(tr("No configuration file is open"),
+                    tr("A file is compared with the device row by row. Tick rows to restore them. The "
+                       "present device settings are saved first."),
+                    tr("Compare with a file …"));
     connect(empty, &widgets::EmptyState::actionTriggered, this, &ConfigurationPanel::open);
     return empty;
 }
@@ -73,15 +71,15 @@ QWidget* ConfigurationPanel::buildRows() {
     m_findings->setWordWrap(true);
     showRole(*m_findings, widgets::Role::Warn);
     m_table = new ConfigurationTable(page);
-    m_differencesOnly = new QCheckBox(tr("Only what &differs"), page);
+    m_differencesOnly = new QCheckBox(tr("Only &differences"), page);
     m_differencesOnly->setChecked(true);
-    m_differencesOnly->setToolTip(tr("Hides rows that are the same or not in the file"));
+    m_differencesOnly->setToolTip(tr("Hide rows that are equal or missing in the file"));
     m_withCalibration = new QCheckBox(tr("With &calibration"), page);
     m_withCalibration->setToolTip(
-        tr("Ticks what was measured on one device; measured on another device, it is wrong on this one"));
+        tr("Also tick calibration values; they are valid only for the device they were measured on"));
     m_restore = makeButton({tr("Restore"),
-                            tr("Writes the ticked rows in one step and reads them back; they last until "
-                               "power-down unless they are saved in the device"),
+                            tr("Write the ticked rows together and read them back. Lost at power-off unless "
+                               "saved to the device"),
                             QStringLiteral("write")},
                            page);
     QLabel* reason = makeNote(page);
@@ -128,14 +126,14 @@ void ConfigurationPanel::tell(const Error& error) {
 void ConfigurationPanel::save() {
     const devices::DeviceInfo& info = m_bench.session().info();
     const QString name = datedName(QString::fromStdString(info.id), wallClock()) + QStringLiteral(".toml");
+    const Configuration configuration = // as it is now, not after the dialog
+        configurationOf(info, m_bench.session().catalogue(), m_bench.deviceValues(), wallTime());
     const QString path = m_chooser.save
                              ? m_chooser.save(this, {tr("Save settings"), name, tr("Configuration (*.toml)")})
                              : QString();
     if (path.isEmpty()) {
         return;
     }
-    const Configuration configuration =
-        configurationOf(info, m_bench.session().catalogue(), m_bench.deviceValues(), wallTime());
     m_files.run(
         [path = path.toStdString(), configuration] {
             return writeFile(path, configurationText(configuration));
@@ -224,8 +222,8 @@ void ConfigurationPanel::backUpAndRestore() {
                     }
                     if (m_bench.session().info().id != id || m_connections != connection) {
                         m_isRestoring = false;
-                        tell({ErrorCode::DeviceLost, "the device was changed before anything was written",
-                              "look at the rows again, then restore"});
+                        tell({ErrorCode::DeviceLost, "the device changed before writing started",
+                              "check the rows again, then restore"});
                         refresh();
                         return;
                     }
@@ -257,13 +255,13 @@ void ConfigurationPanel::restored(const Result<std::vector<RowOutcome>>& outcome
     const auto refused = std::count_if(outcomes->begin(), outcomes->end(),
                                        [](const RowOutcome& row) { return !row.isRestored; });
     const auto count = static_cast<int>(outcomes->size()) - static_cast<int>(refused);
-    const QString kept = tr("What the device had before is kept in %1.").arg(backup);
-    const QString until = tr("They last until power-down; Save in the device, in Parameters, keeps them.");
+    const QString kept = tr("Previous device settings saved in %1.").arg(backup);
+    const QString until = tr("Lost at power-off. To keep: Parameters > Save to device.");
     const QString done = tr("%n row(s) restored and read back.", nullptr, count);
     m_bench.session().message(MessageLevel::Info, tr("configuration"), done);
     if (refused > 0) {
         const QString undone =
-            tr("%n row(s) not restored; the rows say why.", nullptr, static_cast<int>(refused));
+            tr("%n row(s) not restored; see the rows for the cause.", nullptr, static_cast<int>(refused));
         m_bench.session().message(MessageLevel::Warning, tr("configuration"), undone);
         m_messages->showMessage({widgets::Severity::Error, undone, kept, {}});
         return;

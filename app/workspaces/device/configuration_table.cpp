@@ -21,7 +21,7 @@ QString numberWords(const std::optional<double>& value) {
 
 ConfigurationTable::ConfigurationTable(QWidget* parent) : QTreeWidget(parent) {
     setAccessibleName(tr("Rows of the configuration"));
-    setToolTip(tr("Ticked rows are restored (Space ticks); numbers are in SI units, as in the file"));
+    setToolTip(tr("Ticked rows are restored (Space). Values in SI units, as in the file"));
     setHeaderLabels({tr("Parameter"), tr("Device"), tr("File"), tr("State"), tr("Default"), tr("Unit")});
     setRootIsDecorated(false);
     setUniformRowHeights(true);
@@ -106,7 +106,7 @@ QString ConfigurationTable::stateWords(const ComparedRow& row) const {
 QString ConfigurationTable::reasonWords(const ComparedRow& row) const {
     const RowOutcome* outcome = outcomeOf(row.name);
     if (outcome == nullptr && row.isCalibration && row.state == RowState::Differs) {
-        return tr("differs, and was measured on one device: wrong on another");
+        return tr("differs; calibration value, valid for one device only");
     }
     return widgets::inWords(outcome != nullptr ? outcome->reason : row.reason);
 }

@@ -50,18 +50,17 @@ DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
 
 void DevicePanel::buildChooser(QVBoxLayout* column) {
     m_list = new QListWidget(this);
-    m_list->setAccessibleName(tr("Devices that can be connected"));
-    m_list->setToolTip(tr("Enter or double click connects"));
+    m_list->setAccessibleName(tr("Available devices"));
+    m_list->setToolTip(tr("Enter or double-click connects"));
     m_address = new QLineEdit(this);
     m_address->setAccessibleName(tr("Device address"));
-    m_address->setToolTip(tr("For example sim:htm?seed=7 or tcp:HOST:PORT"));
+    m_address->setToolTip(tr("Example: sim:htm?seed=7 or tcp:HOST:PORT"));
     m_address->setPlaceholderText(tr("sim:htm or tcp:HOST:PORT"));
     m_description = new QPushButton(this);
     m_description->setIcon(widgets::themedIcon("open"));
     m_description->setAccessibleName(tr("Description file…"));
     m_description->setToolTip(
-        tr("Description file of a board that does not describe itself: the A2L file that its "
-           "maker gives with it"));
+        tr("A2L file from the manufacturer, for boards without a built-in description"));
     m_description->hide(); // until there is a way to ask for a file
     m_connect = new QPushButton(this);
     m_connect->setIcon(widgets::themedIcon("connect"));
@@ -89,8 +88,8 @@ void DevicePanel::buildIdentity(QVBoxLayout* column) {
     m_identity->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_identity->setWordWrap(true);
     m_identity->setFocusPolicy(Qt::ClickFocus);
-    m_identity->setAccessibleName(tr("Identity of the device"));
-    m_identity->setToolTip(tr("Model, identity and firmware as the device says"));
+    m_identity->setAccessibleName(tr("Device identification"));
+    m_identity->setToolTip(tr("Model, identity and firmware reported by the device"));
     column->addWidget(m_identity);
 }
 
@@ -250,7 +249,7 @@ QString DevicePanel::address() const {
 void DevicePanel::connectAddress() {
     m_message->clear();
     if (address().isEmpty()) {
-        onFailed(tr("No device is named."), tr("Choose one from the list or write its address."));
+        onFailed(tr("No device selected."), tr("Choose one from the list or enter its address."));
         return;
     }
     m_bench.session().connectDevice(address(), m_bench.pace());
@@ -287,8 +286,8 @@ void DevicePanel::refresh() {
     m_connect->setIcon(widgets::themedIcon(isFree ? "connect" : "disconnect"));
     m_connect->setToolTip(isFree ? tr("Connect the device (Alt+C)")
                           : session.state() == SessionState::Reconnecting
-                              ? tr("End the search for the device (Alt+C)")
-                              : tr("End what runs, disarm and disconnect (Alt+C)"));
+                              ? tr("Stop searching for the device (Alt+C)")
+                              : tr("Stop, disarm and disconnect (Alt+C)"));
     if (session.state() == SessionState::Connected) {
         remember();
     }
@@ -303,17 +302,18 @@ void DevicePanel::refresh() {
 QString DevicePanel::identityText() const {
     const DeviceSession& session = m_bench.session();
     if (session.state() == SessionState::Leaving) {
-        return tr("Ending what runs and disarming …");
+        return tr("Stopping and disarming …");
     }
     if (session.state() == SessionState::Reconnecting) {
-        return tr("Connection lost. Looking for %1 …").arg(words(session.info().id));
+        return tr("Connection lost. Reconnecting to %1 …").arg(words(session.info().id));
     }
     if (session.state() != SessionState::Connected) {
         return {};
     }
     const devices::DeviceInfo& info = session.info();
     const QString name = words(!info.id.empty() ? info.id : !info.model.empty() ? info.model : info.uri);
-    return tr("%1\nFirmware %2").arg(name, info.firmware.empty() ? tr("not told") : words(info.firmware));
+    return tr("%1\nFirmware %2")
+        .arg(name, info.firmware.empty() ? tr("not specified") : words(info.firmware));
 }
 
 } // namespace halbench::app

@@ -4,7 +4,11 @@
 
 #include <QWidget>
 
-class QLabel;
+class QToolButton;
+
+namespace halbench::widgets {
+class ElidedLabel;
+}
 
 namespace halbench::app {
 
@@ -15,12 +19,19 @@ class LinkPanel : public QWidget {
 public:
     explicit LinkPanel(Workbench& bench, QWidget* parent = nullptr);
 
+    /// The last line of the log; a click on it asks for the whole log.
+    void showLine(MessageLevel level, const QString& text);
+
+Q_SIGNALS:
+    void logRequested();
+
 private:
     void refresh();
 
     Workbench& m_bench;
-    QLabel* m_link = nullptr;
-    QLabel* m_board = nullptr;
+    widgets::ElidedLabel* m_line = nullptr;
+    QToolButton* m_log = nullptr;
+    widgets::ElidedLabel* m_link = nullptr;
     std::uint64_t m_packets = 0;
     double m_time_s = 0.0;
     double m_rate_Hz = 0.0;

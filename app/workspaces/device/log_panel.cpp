@@ -1,7 +1,7 @@
 #include "app/workspaces/device/log_panel.h"
 
 #include "app/documents/configuration_file.h"
-#include "app/workbench/fault_words.h"
+#include "app/workbench/fault_text.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/log/log_view.h"
@@ -132,8 +132,9 @@ QString LogPanel::text() const {
 }
 
 void LogPanel::add(MessageLevel level, const QString& source, const QString& words) {
-    m_view->append({{m_bench.session().report().deviceTime_s, levelOf(level), source, widgets::inWords(words),
-                     m_bench.now()}});
+    const QString text = widgets::inWords(words);
+    m_view->append({{m_bench.session().report().deviceTime_s, levelOf(level), source, text, m_bench.now()}});
+    Q_EMIT said(level, source + QStringLiteral(": ") + text);
 }
 
 } // namespace halbench::app

@@ -21,6 +21,10 @@ public:
     explicit LogPanel(Workbench& bench, QWidget* parent = nullptr);
     QString text() const;
 
+Q_SIGNALS:
+    /// What was added last.
+    void said(halbench::app::MessageLevel level, const QString& text);
+
 private:
     void add(MessageLevel level, const QString& source, const QString& words);
     void note(const QString& source, const QString& words);

@@ -10,7 +10,7 @@ namespace halbench::app {
 NotesPanel::NotesPanel(Workbench&, QWidget* parent) : QWidget(parent) {
     m_text = new QPlainTextEdit(this);
     m_text->setAccessibleName(tr("Notes"));
-    m_text->setToolTip(tr("Your notes on this motor; saved with the project"));
+    m_text->setToolTip(tr("Notes on this motor; saved with the project"));
     m_text->setPlaceholderText(tr("Notes on this motor; saved with the project."));
     m_text->setTabChangesFocus(true);
     auto* column = new QVBoxLayout(this);

@@ -1,7 +1,7 @@
 #include "app/workspaces/device/pace_row.h"
 
 #include "app/workbench/pace_steps.h"
-#include "widgets/language/say_words.h"
+#include "widgets/language/translated_text.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QComboBox>
@@ -37,10 +37,8 @@ void PaceRow::sayWords() {
     showPace();
     m_label->setText(m_place == Place::Devices ? tr("Simulated &time") : tr("Simulated time"));
     m_box->setAccessibleName(tr("Speed of simulated time"));
-    m_box->setToolTip(
-        tr("How fast the simulated motor lives, or a recording is played: at 20 times a run of two "
-           "minutes takes six seconds, 100 times slower a step of 50 ms takes five.\nIn the Monitor "
-           "< and > change it. A real device has its own time."));
+    m_box->setToolTip(tr("Speed of the simulated motor or of the replay: 20 times runs two minutes in six "
+                         "seconds.\nKeys in the Monitor: < and >. A real device always runs in real time."));
 }
 
 void PaceRow::refresh() {

@@ -55,23 +55,22 @@ QWidget* ParametersPanel::buildPresets() {
     m_presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // titles may be long
     m_presets->setMinimumContentsLength(26);
     m_presets->setAccessibleName(tr("Preset"));
-    m_presets->setToolTip(tr("A named set of parameters, shipped or your own"));
+    m_presets->setToolTip(tr("Named set of parameters, built-in or your own"));
     m_load = makeButton(
-        {tr("Load"), tr("Edits the rows as the preset says; nothing is written yet"), QStringLiteral("open")},
+        {tr("Load"), tr("Load the preset into the rows; nothing is written yet"), QStringLiteral("open")},
         box);
     m_name = new QLineEdit(box);
     m_name->setAccessibleName(tr("Name of the new preset"));
-    m_name->setPlaceholderText(tr("name of a preset"));
-    m_name->setToolTip(tr("Saves the edited column as a preset of this name (Enter)"));
+    m_name->setPlaceholderText(tr("preset name"));
+    m_name->setToolTip(tr("Save the edited column as a preset of this name (Enter)"));
     m_save = makeButton({tr("Save preset"),
-                         tr("Saves the edited column as a preset of this name (Enter in the name)"),
+                         tr("Save the edited column as a preset of this name (Enter in the name)"),
                          QStringLiteral("save")},
                         box);
-    m_saveOnDevice =
-        makeButton({tr("Save in the device"),
-                    tr("Stores what the device runs with for the next power-up; writing is another act"),
-                    QStringLiteral("save")},
-                   box);
+    m_saveOnDevice = makeButton({tr("Save to device"),
+                                 tr("Save the active values to non-volatile memory for the next power-up"),
+                                 QStringLiteral("save")},
+                                box);
     auto* loading = new QHBoxLayout;
     loading->addWidget(m_presets, 1);
     loading->addWidget(m_load);
@@ -126,8 +125,8 @@ void ParametersPanel::showDevice(const devices::Catalogue& catalogue) {
     if (readOnly > 0) {
         m_table->messages().showMessage(
             {widgets::Severity::Information,
-             tr("Parameters that can only be read: %1.").arg(readOnly),
-             tr("The device takes no writes to them or to the page that it runs on."),
+             tr("Read-only parameters: %1.").arg(readOnly),
+             tr("The device does not allow writing to them or to its active page."),
              {}});
     }
     fillPresets();
@@ -175,43 +174,40 @@ void ParametersPanel::write(const std::vector<ParameterValue>& changed) {
                                             widgets::inWords(written.error().message));
             return;
         }
-        const QString remedy = tr("They are lost at power-down until they are saved in the device.");
+        const QString remedy = tr("Lost at power-off unless saved to the device.");
         self->m_table->messages().showMessage(
             {isOneByOne ? widgets::Severity::Warning : widgets::Severity::Success,
              tr("%n value(s) written and read back.", nullptr, count),
-             isOneByOne
-                 ? tr("This device cannot switch a whole set: values that do not lie side by side changed "
-                      "one by one.") +
-                       QLatin1Char(' ') + remedy
-                 : remedy,
+             isOneByOne ? tr("This device cannot write a complete set at once: values were changed one after "
+                             "the other.") +
+                              QLatin1Char(' ') + remedy
+                        : remedy,
              {}});
     });
 }
 
 void ParametersPanel::saveOnDevice() {
     if (m_bench.session().info().isSimulated) {
-        tell(tr("A simulated device is new every time and has nothing to store in."),
-             tr("Save the values as a preset, or serve the device to have one that lasts."));
+        tell(tr("A simulated device cannot store values: it is reset at each connection."),
+             tr("Save the values as a preset, or run the device with serve to keep them."));
         return;
     }
-    m_bench.session().request([](devices::Device& device) { return device.saveParameters(); },
-                              [self = QPointer(this)](const Result<void>& saved) {
-                                  if (!self) {
-                                      return;
-                                  }
-                                  if (!saved) {
-                                      self->tell(saved.error());
-                                      return;
-                                  }
-                                  const QString done = tr("Saved in the device.");
-                                  self->m_bench.session().message(MessageLevel::Info, tr("parameters"), done);
-                                  self->m_table->messages().showMessage(
-                                      {widgets::Severity::Success,
-                                       done,
-                                       tr("It starts with these values at the next power-up."),
-                                       {}});
-                                  Q_EMIT self->savedInDevice();
-                              });
+    m_bench.session().request(
+        [](devices::Device& device) { return device.saveParameters(); },
+        [self = QPointer(this)](const Result<void>& saved) {
+            if (!self) {
+                return;
+            }
+            if (!saved) {
+                self->tell(saved.error());
+                return;
+            }
+            const QString done = tr("Saved to the device.");
+            self->m_bench.session().message(MessageLevel::Info, tr("parameters"), done);
+            self->m_table->messages().showMessage(
+                {widgets::Severity::Success, done, tr("Active from the next power-up on."), {}});
+            Q_EMIT self->savedInDevice();
+        });
 }
 
 void ParametersPanel::fillPresets(const QString& chosen) {
@@ -268,8 +264,8 @@ void ParametersPanel::edit(const QString& title, const Result<Preset>& preset) {
     }
     model.undoStack().endMacro();
     if (!refused.isEmpty()) {
-        tell(tr("Not taken from the preset: %1").arg(refused.join(QStringLiteral(", "))),
-             tr("This device does not have these parameters, or not with these values."));
+        tell(tr("Not loaded from the preset: %1").arg(refused.join(QStringLiteral(", "))),
+             tr("The device lacks these parameters or does not allow these values."));
     }
 }
 

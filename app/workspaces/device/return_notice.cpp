@@ -42,7 +42,7 @@ ReturnNotice::ReturnNotice(Workbench& bench, QWidget* parent) : QWidget(parent),
     connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &ReturnNotice::refreshWrite);
     connect(&m_bench, &Workbench::valuesCompared, this, &ReturnNotice::showReturn);
     connect(m_accept, &QPushButton::clicked, this, [this] {
-        m_decision = tr("The device's values were kept.");
+        m_decision = tr("Device values kept.");
         m_bench.acceptDifferences();
     });
     connect(m_write, &QPushButton::clicked, this, &ReturnNotice::writeBack);
@@ -51,16 +51,16 @@ ReturnNotice::ReturnNotice(Workbench& bench, QWidget* parent) : QWidget(parent),
 void ReturnNotice::buildDifferences() {
     m_differences = new QWidget(this);
     m_list = new QLabel(m_differences);
-    m_list->setAccessibleName(tr("Values that differ from before"));
-    m_list->setToolTip(tr("On the left before the connection was lost, on the right on the device now"));
+    m_list->setAccessibleName(tr("Changed values"));
+    m_list->setToolTip(tr("Left: before the connection was lost; right: now"));
     m_list->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_list->setFocusPolicy(Qt::ClickFocus);
     m_list->setFont(widgets::tabularFont(m_list->font()));
     m_write = makeButton(
-        {tr("Write them back"), tr("Writes the values of before to the device and reads them back"), {}},
+        {tr("Write old values"), tr("Write the values from before the loss and read them back"), {}},
         m_differences);
-    m_accept =
-        makeButton({tr("Keep the device's"), tr("What is on the device now counts"), {}}, m_differences);
+    m_accept = makeButton({tr("Keep device values"), tr("Keep the values that are on the device now"), {}},
+                          m_differences);
     auto* row = new QHBoxLayout(m_differences);
     row->setContentsMargins(widgets::PanelMargin_px, widgets::GridStep_px, widgets::PanelMargin_px,
                             widgets::GridStep_px);
@@ -107,11 +107,11 @@ void ReturnNotice::showSearch() {
     }
     const QString last = widgets::inWords(session.report().notBack);
     const QString search =
-        last.isEmpty() ? tr("Looking for it again.") : tr("Looking for it again; last time: %1.").arg(last);
+        last.isEmpty() ? tr("Reconnecting.") : tr("Reconnecting; last attempt: %1.").arg(last);
     say({widgets::Severity::Warning,
          tr("Connection lost: %1.").arg(widgets::inWords(session.report().lost->message)),
-         search + QLatin1Char(' ') + tr("The board's watchdog ends its motion.") + QLatin1Char(' ') +
-             (m_bench.recording().isRecording() ? tr("The recording goes on with a gap.") + QLatin1Char(' ')
+         search + QLatin1Char(' ') + tr("The device's watchdog stops the motion.") + QLatin1Char(' ') +
+             (m_bench.recording().isRecording() ? tr("The recording continues with a gap.") + QLatin1Char(' ')
                                                 : QString()) +
              tr("Disconnect ends the search."),
          {}});
@@ -121,19 +121,19 @@ void ReturnNotice::showReturn() {
     const QString outage = widgets::fixedText(m_bench.session().outage_s(), 1);
     if (m_bench.differences().empty()) {
         say({widgets::Severity::Success,
-             tr("Back after %1 s, disarmed.").arg(outage),
-             !m_hasDiffered         ? tr("Its values are those of before.")
-             : m_decision.isEmpty() ? tr("The values that differed were changed since.")
+             tr("Reconnected after %1 s, disarmed.").arg(outage),
+             !m_hasDiffered         ? tr("Its values are unchanged.")
+             : m_decision.isEmpty() ? tr("The changed values were edited in the meantime.")
                                     : m_decision,
              {}});
     } else {
         m_hasDiffered = true;
         m_decision.clear();
         say({widgets::Severity::Warning,
-             tr("Back after %1 s, disarmed. Values that differ from before: %2.")
+             tr("Reconnected after %1 s, disarmed. Changed values: %2.")
                  .arg(outage)
                  .arg(m_bench.differences().size()),
-             tr("The device may have been restarted. Nothing was written."),
+             tr("The device may have restarted. Nothing was written."),
              {}});
     }
     showDifferences();
@@ -150,8 +150,8 @@ void ReturnNotice::endWhenArmed() {
         m_message->clear();
     } else {
         say({widgets::Severity::Warning,
-             tr("Values that differ from before the loss: %1.").arg(m_bench.differences().size()),
-             tr("The device may have been restarted. Nothing was written."),
+             tr("Values changed during the connection loss: %1.").arg(m_bench.differences().size()),
+             tr("The device may have restarted. Nothing was written."),
              {}});
     }
 }
@@ -186,7 +186,7 @@ void ReturnNotice::leaveFocus() {
 void ReturnNotice::writeBack() {
     leaveFocus();
     m_write->setEnabled(false);
-    m_decision = tr("The values of before were written back.");
+    m_decision = tr("Old values written.");
     m_bench.writeDifferencesBack([self = QPointer(this)](const Result<void>& written) {
         if (!self) {
             return;

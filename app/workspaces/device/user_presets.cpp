@@ -53,7 +53,7 @@ Result<void> checkVersion(const std::string& text, const QString& path) {
         return failure(ErrorCode::InvalidInput,
                        fmt::format("'{}' was written by a newer Halbench ({})", path.toStdString(),
                                    schema.toStdString()),
-                       "open it there, or install that version");
+                       "open it with the newer version, or install that version");
     }
     return {};
 }

@@ -11,8 +11,8 @@
 namespace halbench::app {
 
 widgets::Message armingWarning() {
-    return {widgets::Severity::Warning, ArmButton::tr("Armed, the actuator can move at any moment."),
-            ArmButton::tr("Keep hands, hair, cables and loose parts away from it. Esc stops it."),
+    return {widgets::Severity::Warning, ArmButton::tr("When armed, the actuator can move at any time."),
+            ArmButton::tr("Keep hands, hair, cables and loose parts clear. Esc stops it."),
             ArmButton::tr("Arm it")};
 }
 
@@ -58,8 +58,8 @@ void ArmButton::refresh() {
 void ArmButton::sayWords() {
     const bool isArmed = widgets::roleOf(*this) == widgets::Role::Armed;
     setText(isArmed ? tr("Disarm") : tr("Arm"));
-    setToolTip(isArmed ? tr("No current; set-points to zero (Ctrl+Shift+A)")
-                       : tr("Lets the actuator move; set-points start at zero (Ctrl+Shift+A)"));
+    setToolTip(isArmed ? tr("Switch the current off, set-points to zero (Ctrl+Shift+A)")
+                       : tr("Enable motion; set-points start at zero (Ctrl+Shift+A)"));
     setAccessibleDescription(toolTip());
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/workbench/drive_control.h"
-#include "app/workspaces/parts/focus_rest.h"
+#include "app/workspaces/parts/focus_keeper.h"
 #include "widgets/controls/message_bar.h"
 
 #include <QPushButton>
@@ -39,7 +39,7 @@ private:
     void dress();
 
     DriveControl& m_control;
-    FocusRest m_rest; ///< its parent
+    FocusKeeper m_rest; ///< its parent
 };
 
 } // namespace halbench::app

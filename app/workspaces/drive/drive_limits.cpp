@@ -1,6 +1,7 @@
 #include "app/workspaces/drive/drive_limits.h"
 
 #include "app/workbench/display_quantity.h"
+#include "app/workbench/drive_ability.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "widgets/controls/number_label.h"
 #include "widgets/controls/quantity_edit.h"
@@ -14,6 +15,7 @@
 #include <QSignalBlocker>
 
 #include <cmath>
+#include <utility>
 
 namespace halbench::app {
 
@@ -25,20 +27,19 @@ DriveLimits::DriveLimits(Workbench& bench, const DriveControl& control, QWidget*
     grid->setColumnStretch(0, 1);
     const Row rows[] = {
         {"limit.current", "", tr("Current"),
-         tr("A larger current is not commanded; asking for one in a current mode stops"),
-         &DriveLimits::current_A},
-        {"limit.temperature", "", tr("Hotter coil"), tr("The board stops when a coil is hotter"),
+         tr("Maximum current. A larger command in current mode stops the device"), &DriveLimits::current_A},
+        {"limit.temperature", "", tr("Hottest coil"), tr("Device stops when a coil is hotter"),
          &DriveLimits::temperature_degC},
         {"window.position", "window.position_enabled", tr("Excursion"),
-         tr("The board stops when it is farther from where it was armed"), &DriveLimits::excursion_rad},
-        {"window.speed", "window.speed_enabled", tr("Speed"), tr("The board stops when it turns faster"),
+         tr("Device stops at this distance from the arming position"), &DriveLimits::excursion_rad},
+        {"window.speed", "window.speed_enabled", tr("Speed"), tr("Device stops above this speed"),
          &DriveLimits::speed_rad_s},
     };
     for (const Row& row : rows) {
         addRow(row);
     }
     connect(&m_bench, &Workbench::valuesChanged, this, &DriveLimits::onValues);
-    connect(&m_control, &DriveControl::changed, this, &DriveLimits::refreshEnabled);
+    connect(&m_control, &DriveControl::changed, this, &DriveLimits::followAxis);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &DriveLimits::onValues);
     onValues();
 }
@@ -50,7 +51,7 @@ void DriveLimits::addRow(Row row) {
         grid->addWidget(new QLabel(row.title, this), line, 0);
     } else {
         row.enabled = new QCheckBox(row.title, this);
-        row.enabled->setToolTip(row.toolTip + QLatin1Char('\n') + tr("Off: not watched (Space)"));
+        row.enabled->setToolTip(row.toolTip + QLatin1Char('\n') + tr("Off: not monitored (Space)"));
         grid->addWidget(row.enabled, line, 0);
         connect(row.enabled, &QCheckBox::clicked, this,
                 [this, name = row.switchParameter](bool isOn) { write(name, isOn ? 1.0 : 0.0); });
@@ -70,7 +71,7 @@ void DriveLimits::addRow(Row row) {
         }
     });
     connect(row.limit, &widgets::QuantityEdit::refused, this, [this, index](const QString& text) {
-        Q_EMIT failed(tr("'%1' is not a limit, nothing was written.").arg(text.trimmed()),
+        Q_EMIT failed(tr("'%1' is not a valid limit. Nothing was written.").arg(text.trimmed()),
                       m_rows[index].limit->problemOf(text));
     });
     m_rows.push_back(row);
@@ -83,6 +84,18 @@ void DriveLimits::onEntered(const Row& row) {
     if (known && std::fabs(value - *known) * row.factor > 0.5 * std::pow(10.0, -row.limit->decimals())) {
         write(row.parameter, value);
     }
+}
+
+/// The windows of the axis that is moved; a row that the device does not have is not shown.
+void DriveLimits::followAxis() {
+    const devices::AxisSpec& axis = m_control.axis();
+    if (std::exchange(m_axis, axis.id) != axis.id) {
+        const devices::Catalogue& catalogue = m_bench.session().catalogue();
+        m_rows[PositionRow].parameter = parameterOfRole(catalogue, axis.roles.positionWindow);
+        m_rows[SpeedRow].parameter = parameterOfRole(catalogue, axis.roles.speedWindow);
+        onValues();
+    }
+    refreshEnabled();
 }
 
 /// A procedure has windows of its own and puts back those it found: nobody changes them under it.
@@ -123,7 +136,7 @@ void DriveLimits::showValue(Row& row) {
     dressNumberField(*row.limit,
                      {tr("Limit of %1").arg(row.title),
                       row.toolTip + QLatin1Char('\n') +
-                          tr("Enter writes it; until power-down, unless it is saved in the device"),
+                          tr("Enter writes it. Lost at power-off unless saved to the device"),
                       shown.unit, shown.decimals, spec->min * shown.factor, spec->max * shown.factor, 1.0});
     row.limit->setValue(*value * shown.factor);
     row.live->setFormat({shown.decimals, shown.unit, 0.0, shown.typical});
@@ -138,19 +151,37 @@ void DriveLimits::write(const std::string& parameter, double value) {
     });
 }
 
-std::optional<double> DriveLimits::magnitude(const char* signal) const {
-    const auto latest = m_bench.history().latest(signal);
+std::optional<double> DriveLimits::magnitude(const std::string& role) const {
+    const auto latest = m_bench.history().latest(signalOfRole(m_bench.session().catalogue(), role));
     return latest ? std::optional(std::fabs(latest->value)) : std::nullopt;
 }
 
+/// The largest magnitude of the signals whose roles begin so.
+std::optional<double> DriveLimits::largest(const char* rolePrefix) const {
+    std::optional<double> found;
+    for (const SignalSpec& spec : m_bench.session().catalogue().signals) {
+        const auto latest =
+            spec.role.starts_with(rolePrefix) ? m_bench.history().latest(spec.name) : std::nullopt;
+        if (latest) {
+            found = std::fmax(found.value_or(0.0), std::fabs(latest->value));
+        }
+    }
+    return found;
+}
+
+/// Of the command where the effort of the axis is a current, else of the coils.
+std::optional<double> DriveLimits::current_A() const {
+    const devices::AxisSpec& axis = m_control.axis();
+    return axis.effortUnit == "A" ? magnitude(axis.roles.effort) : largest("current.");
+}
+
 std::optional<double> DriveLimits::temperature_degC() const {
-    const auto a = m_bench.history().latest("coil_temperature.a");
-    const auto b = m_bench.history().latest("coil_temperature.b");
-    return a && b ? std::optional(std::fmax(a->value, b->value)) : std::nullopt;
+    return largest("coil_temperature.");
 }
 
 std::optional<double> DriveLimits::excursion_rad() const {
-    const auto latest = m_bench.history().latest("position");
+    const auto latest = m_bench.history().latest(
+        signalOfRole(m_bench.session().catalogue(), m_control.axis().roles.position));
     const std::optional<double> origin_rad = m_control.origin_rad();
     if (!latest || !origin_rad || !m_control.isArmed()) {
         return std::nullopt;

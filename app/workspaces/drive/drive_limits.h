@@ -46,17 +46,21 @@ private:
     void onValues();
     void onEntered(const Row& row);
     void showValue(Row& row);
+    void followAxis();
     void refreshEnabled();
     void write(const std::string& parameter, double value);
-    std::optional<double> magnitude(const char* signal) const;
-    std::optional<double> current_A() const { return magnitude("current_command"); }
+    std::optional<double> magnitude(const std::string& role) const;
+    std::optional<double> current_A() const;
+    std::optional<double> largest(const char* rolePrefix) const;
     std::optional<double> temperature_degC() const;
     std::optional<double> excursion_rad() const;
-    std::optional<double> speed_rad_s() const { return magnitude("speed"); }
+    std::optional<double> speed_rad_s() const { return magnitude(m_control.axis().roles.speed); }
 
     Workbench& m_bench;
     const DriveControl& m_control;
+    static constexpr std::size_t PositionRow = 2, SpeedRow = 3;
     std::vector<Row> m_rows;
+    std::string m_axis; ///< id of the one whose windows are shown
 };
 
 } // namespace halbench::app

@@ -1,9 +1,13 @@
 #include "app/workspaces/drive/drive_panel.h"
 
-#include "app/workbench/drive_words.h"
-#include "app/workbench/fault_words.h"
+#include "app/procedures/base/axis_choice.h"
+#include "app/workbench/drive_ability.h"
+#include "app/workbench/drive_text.h"
+#include "app/workbench/fault_text.h"
+#include "app/workspaces/drive/axis_ranges.h"
 #include "app/workspaces/drive/drive_limits.h"
 #include "app/workspaces/drive/jog_row.h"
+#include "app/workspaces/drive/pose_pad.h"
 #include "app/workspaces/drive/reference_form.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "control/base/units.h"
@@ -14,8 +18,10 @@
 #include "widgets/language/phrasebook.h"
 #include "widgets/theme/theme_style.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QLabel>
+#include <QSignalBlocker>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -30,11 +36,20 @@ constexpr int LivePeriod_ms = 100;
 constexpr int LeastState = 8; ///< characters of the state; the rest in its tooltip
 
 /// What the drive shows of the device, whatever the plots show.
-std::vector<std::string> shownSignals() {
-    return {"position",           "speed",
-            "reference",          "current_command",
-            "coil_temperature.a", "coil_temperature.b",
-            "reference.running"};
+std::vector<std::string> shownSignals(const devices::Catalogue& catalogue) {
+    std::vector<std::string> names = {"reference.running"};
+    for (const devices::AxisSpec& axis : axesOf(catalogue)) {
+        for (const std::string& role :
+             {axis.roles.position, axis.roles.speed, axis.roles.reference, axis.roles.effort}) {
+            names.push_back(signalOfRole(catalogue, role));
+        }
+    }
+    for (const SignalSpec& spec : catalogue.signals) {
+        if (spec.role.starts_with("coil_temperature.") || spec.role.starts_with("current.")) {
+            names.push_back(spec.name);
+        }
+    }
+    return names;
 }
 
 } // namespace
@@ -48,13 +63,11 @@ DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
     buildSetpoint(column);
     buildReference(column);
     buildLimits(column);
+    setFocusProxy(m_setpoint); // never Arm: a key that follows would arm
     column->addStretch(1);
     layout()->addWidget(m_message); // at the end, so that nothing moves away from under the mouse
     connect(m_message, &widgets::MessageBar::actionTriggered, this, &DrivePanel::onMessageAction);
     connect(m_message, &widgets::MessageBar::dismissed, this, [this] {
-        if (m_asking == Asking::NothingToDrive) {
-            return; // said once for this device
-        }
         if (std::exchange(m_asking, Asking::Nothing) == Asking::Consent) {
             m_control.dismissConsent();
         }
@@ -66,7 +79,7 @@ DrivePanel::DrivePanel(Workbench& bench, QWidget* parent)
     connect(&m_frame, &QTimer::timeout, this, &DrivePanel::refreshLive);
     m_frame.start(LivePeriod_ms);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &DrivePanel::onUnits);
-    m_bench.liveSignals().want(this, shownSignals());
+    m_bench.liveSignals().want(this, shownSignals(m_bench.session().catalogue()));
     onUnits();
     refreshUnits();
     refresh();
@@ -111,13 +124,13 @@ void DrivePanel::onSetpoint() {
     const double wanted = m_setpoint->value() / factor();
     const auto range_rad = m_control.setpointRange_rad();
     if (range_rad && (wanted < range_rad->first || wanted > range_rad->second)) {
-        showError(tr("%1 is beyond the excursion window, nothing was sent.").arg(valueText(wanted)),
-                  tr("From %1 to %2 now. Widen the window on purpose, or disarm and arm to count anew.")
+        showError(tr("%1 is outside the excursion window. Nothing was sent.").arg(valueText(wanted)),
+                  tr("Allowed now: %1 to %2. Widen the window, or disarm and arm to set a new zero.")
                       .arg(valueText(range_rad->first), valueText(range_rad->second)));
         return;
     }
     forgetError();
-    m_control.setSetpoint(wanted, m_jog->speed_rad_s());
+    m_control.setSetpoint(wanted, m_jog->speed());
 }
 
 /// Nothing is sent; a field that was left shows what holds, so that a Go behind it moves nothing either.
@@ -127,7 +140,7 @@ void DrivePanel::onSetpointRefused(const QString& text) {
         m_isJustRefused = true; // a mouse on Go takes the focus first and presses then
         QTimer::singleShot(0, this, [this] { m_isJustRefused = false; });
     }
-    showError(tr("'%1' is not a set-point, nothing was sent.").arg(text.trimmed()),
+    showError(tr("'%1' is not a valid set-point. Nothing was sent.").arg(text.trimmed()),
               m_setpoint->problemOf(text));
 }
 
@@ -154,9 +167,9 @@ void DrivePanel::showError(const QString& text, const QString& remedy) {
 }
 
 void DrivePanel::refresh() {
-    refreshForeign();
     refreshStop();
     refreshState();
+    refreshAxes();
     refreshMode();
     if (!std::exchange(m_wasArmed, m_control.isArmed()) && m_wasArmed) {
         m_setpoint->setValue(0.0); // what was typed before is no set-point of this arming
@@ -169,34 +182,39 @@ void DrivePanel::refresh() {
     // The next reference would begin where this one is by then: nobody could say where it ends.
     m_rest.setEnabled(*m_start, canMove && !m_control.isRunning());
     m_rest.setEnabled(*m_end, m_control.isArmed() && m_control.isAvailable() && m_control.isRunning());
+    m_pose->refresh();
     showOrigin();
     showSetpoint();
     describeMotion();
 }
 
-/// A board of another maker is not armed by guessing how.
-void DrivePanel::refreshForeign() {
-    const bool isForeign = m_bench.session().state() == SessionState::Connected && !m_control.canDrive();
-    if (isForeign && m_asking != Asking::NothingToDrive) {
-        m_asking = Asking::NothingToDrive;
-        const bool isOfAxes = m_control.hasSeveralAxes();
-        m_message->showMessage(
-            {widgets::Severity::Information,
-             isOfAxes ? tr("This device has several axes: it is not armed or driven from here.")
-                      : tr("This device cannot be armed, driven or stopped from here: it has no "
-                           "parameter hb.arm."),
-             isOfAxes ? tr("Drive it from the command line. STOP, Signals, Parameters and Record work here.")
-                      : tr("Use its maker's program and the switch at the actuator. Signals, "
-                           "Parameters and Record work with it by name."),
-             {}});
-    } else if (!isForeign && m_asking == Asking::NothingToDrive) {
-        m_asking = Asking::Nothing;
-        m_message->clear();
+/// The choice is seen where there is one.
+void DrivePanel::refreshAxes() {
+    const std::vector<devices::AxisSpec> axes = m_control.axes();
+    const QSignalBlocker quiet(m_axes);
+    bool isSame = m_axes->count() == static_cast<int>(axes.size());
+    for (std::size_t i = 0; isSame && i < axes.size(); ++i) {
+        isSame = m_axes->itemData(static_cast<int>(i)).toString().toStdString() == axes[i].id;
     }
+    if (!isSame) {
+        m_axes->clear();
+        for (const devices::AxisSpec& axis : axes) {
+            m_axes->addItem(QString::fromStdString(axis.title), QString::fromStdString(axis.id));
+        }
+        m_bench.liveSignals().want(this, shownSignals(m_bench.session().catalogue()));
+    }
+    m_axes->setCurrentIndex(m_axes->findData(QString::fromStdString(m_control.axis().id)));
+    m_axisRow->setVisible(axes.size() > 1);
+    m_rest.setEnabled(*m_axes, m_control.canChooseAxis());
 }
 
 void DrivePanel::refreshMode() {
-    if (!m_control.isPending() && std::exchange(m_shownMode, m_control.mode()) != m_control.mode()) {
+    if (m_control.isPending()) {
+        return;
+    }
+    const bool isOtherMode = std::exchange(m_shownMode, m_control.mode()) != m_control.mode();
+    const bool isOtherAxis = std::exchange(m_shownAxis, m_control.axis().id) != m_control.axis().id;
+    if (isOtherMode || isOtherAxis) {
         refreshUnits();
     }
 }
@@ -207,7 +225,7 @@ void DrivePanel::refreshStop() {
                            ? faultWords(m_bench.session().report().board, m_bench.stopAsker())
                            : FaultWords();
     if (m_control.isStopped() && !m_bench.stopLatch().hasStopped()) {
-        words.what = tr("A stop came while nothing was armed");
+        words.what = tr("Stopped while disarmed");
     }
     if (!words.what.isEmpty()) {
         const QString action = m_control.canRelease() ? tr("Release the stop") : QString();
@@ -234,45 +252,49 @@ void DrivePanel::refreshState() {
         state = tr("%1 is running").arg(m_bench.session().procedure());
     } else if (isArmed) {
         const QString driven = drivenWords(m_control);
-        state = driven.isEmpty() ? tr("Armed") : tr("Armed, %1").arg(driven);
+        state = driven.isEmpty() ? tr("Armed") : tr("Armed: %1").arg(driven);
         role = widgets::Role::Armed;
     } else if (isConnected) {
-        const bool isKnown = m_control.canDrive() || m_control.hasSeveralAxes(); // the board says it
-        state = isKnown ? tr("Disarmed") : tr("Not known");
+        state = m_control.canDrive() ? tr("Disarmed") : tr("Unknown"); // the board says it
     }
     m_state->setWords(state);
     m_state->setAccessibleName(tr("State: %1").arg(state));
     showRole(*m_state, role);
 }
 
+std::string DrivePanel::unit() const {
+    return m_control.mode() == BoardMode::Position ? m_control.axis().positionUnit : std::string("A");
+}
+
 double DrivePanel::factor() const {
-    return m_control.mode() == BoardMode::Position ? displayQuantity("rad", m_units).factor : 1.0;
+    return displayQuantity(unit(), m_units).factor;
 }
 
 QString DrivePanel::valueText(double value) const {
-    const DisplayQuantity shown =
-        displayQuantity(m_control.mode() == BoardMode::Position ? "rad" : "A", m_units);
+    const DisplayQuantity shown = displayQuantity(unit(), m_units);
     return widgets::fixedText(value * shown.factor, shown.decimals) + QChar(QChar::Nbsp) + shown.unit;
 }
 
 void DrivePanel::dressSetpoint() {
     constexpr double Farthest_deg = 36000.0;
     const bool isAngle = m_control.mode() == BoardMode::Position;
-    const DisplayQuantity shown = displayQuantity(isAngle ? "rad" : "A", m_units);
-    const double most = isAngle ? degreesToRadians(Farthest_deg) * shown.factor : 4.0;
-    const double step = isAngle ? shownStep(shown, degreesToRadians(1.0)) : 0.1;
-    dressNumberField(*m_setpoint, {tr("Set-point"),
-                                   isAngle ? tr("Beside what a reference has moved it (Enter sends it)")
-                                           : tr("Current (Enter sends it)"),
-                                   shown.unit, shown.decimals, -most, most, step});
+    const DisplayQuantity shown = displayQuantity(unit(), m_units);
+    const double degree = perDegree(m_control.axis());
+    const double most = isAngle ? Farthest_deg * degree * shown.factor : 4.0;
+    const double step = isAngle ? shownStep(shown, degree) : 0.1;
+    dressNumberField(*m_setpoint,
+                     {tr("Set-point"),
+                      isAngle ? tr("Without the offset from a finished reference (Enter sends it)")
+                              : tr("Current (Enter sends it)"),
+                      shown.unit, shown.decimals, -most, most, step});
 }
 
 /// Of another mode: what was typed meant something else.
 void DrivePanel::refreshUnits() {
     dressSetpoint();
     m_setpoint->setValue(0.0);
-    m_jog->setAngular(m_control.mode() == BoardMode::Position);
-    m_reference->setMode(m_control.mode());
+    m_jog->setQuantity(m_control.mode() == BoardMode::Position, m_control.axis());
+    m_reference->setMode(m_control.mode(), m_control.axis());
     takePeak();
 }
 

@@ -2,11 +2,12 @@
 
 #include "app/workbench/drive_control.h"
 #include "app/workbench/workbench.h"
-#include "app/workspaces/parts/focus_rest.h"
+#include "app/workspaces/parts/focus_keeper.h"
 
 #include <QTimer>
 #include <QWidget>
 
+class QComboBox;
 class QGroupBox;
 class QLabel;
 class QPushButton;
@@ -22,6 +23,7 @@ namespace halbench::app {
 
 class DriveLimits;
 class JogRow;
+class PosePad;
 class ReferenceForm;
 
 /// Moving the actuator by hand: arm, mode, set-point, jog, reference generator, limits, faults in words
@@ -49,9 +51,10 @@ private:
     void onSetpointRefused(const QString& text);
     void onStartReference();
     void refresh();
-    void refreshForeign();
     void refreshStop();
     void refreshMode();
+    void refreshAxes();
+    std::string unit() const; ///< SI, of the set-point
     void refreshState();
     void refreshUnits();
     void dressSetpoint();
@@ -66,7 +69,7 @@ private:
     void forgetError();
     void showError(const QString& text, const QString& remedy);
 
-    enum class Asking { Nothing, Consent, Release, NothingToDrive };
+    enum class Asking { Nothing, Consent, Release };
 
     Workbench& m_bench;
     DriveControl& m_control;
@@ -75,19 +78,23 @@ private:
     bool m_isGoRefused = false;   ///< the press of Go that made its text leave the field
     bool m_wasArmed = false;
     devices::BoardMode m_shownMode; ///< whose units the fields have
+    std::string m_shownAxis;        ///< likewise
     DisplayUnits m_units;           ///< that they show
     QTimer m_frame;                 ///< ten times a second
     widgets::MessageBar* m_message = nullptr;
     widgets::ElidedLabel* m_state; ///< of the board
-    FocusRest m_rest;              ///< there
+    FocusKeeper m_rest;            ///< there
     double m_peak = 0.0;           ///< of the reference that Start would send
     double m_shownSetpoint = 0.0;  ///< the one that the field has followed
-    QLabel* m_from = nullptr;      ///< what the set-point counts from
+    QWidget* m_axisRow = nullptr;
+    QComboBox* m_axes = nullptr;
+    QLabel* m_from = nullptr; ///< what the set-point counts from
     widgets::QuantityEdit* m_setpoint = nullptr;
     QPushButton* m_go = nullptr;
     QPushButton* m_zero = nullptr;
     QLabel* m_setpointNow = nullptr;
     JogRow* m_jog = nullptr;
+    PosePad* m_pose = nullptr;
     ReferenceForm* m_reference = nullptr;
     QLabel* m_motion = nullptr;
     QPushButton* m_start = nullptr;

@@ -1,10 +1,11 @@
 // What the Drive panel consists of, from top to bottom.
-#include "app/workbench/fault_words.h"
+#include "app/workbench/fault_text.h"
 #include "app/workspaces/drive/arm_button.h"
 #include "app/workspaces/drive/drive_limits.h"
 #include "app/workspaces/drive/drive_panel.h"
 #include "app/workspaces/drive/jog_row.h"
 #include "app/workspaces/drive/mode_box.h"
+#include "app/workspaces/drive/pose_pad.h"
 #include "app/workspaces/drive/reference_form.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "widgets/controls/elided_label.h"
@@ -12,6 +13,7 @@
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/theme/theme_style.h"
 
+#include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -22,7 +24,7 @@ namespace halbench::app {
 void DrivePanel::buildArm(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
     m_state->setProperty("badge", true);
-    m_state->setAccessibleDescription(tr("What the board says of itself"));
+    m_state->setAccessibleDescription(tr("State reported by the device"));
     auto* arm = new ArmButton(m_control, ArmButton::Key::IsToldOnly, this);
     row->addWidget(m_state, 1);
     row->addWidget(arm);
@@ -34,6 +36,19 @@ void DrivePanel::buildArm(QVBoxLayout* column) {
     modeRow->addWidget(label);
     modeRow->addWidget(mode, 1);
     column->addLayout(modeRow);
+    m_axisRow = new QWidget(this);
+    auto* axisRow = new QHBoxLayout(m_axisRow);
+    axisRow->setContentsMargins(0, 0, 0, 0);
+    auto* axisLabel = new QLabel(tr("A&xis"), m_axisRow);
+    m_axes = new QComboBox(m_axisRow);
+    m_axes->setAccessibleName(tr("Axis"));
+    m_axes->setToolTip(tr("Axis for set-point, jog and reference; other axes hold (Alt+X)"));
+    axisLabel->setBuddy(m_axes);
+    axisRow->addWidget(axisLabel);
+    axisRow->addWidget(m_axes, 1);
+    column->addWidget(m_axisRow);
+    connect(m_axes, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+            [this] { m_control.chooseAxis(m_axes->currentData().toString().toStdString()); });
     connect(arm, &ArmButton::consentNeeded, this, [this] {
         m_asking = Asking::Consent;
         m_message->showMessage(armingWarning());
@@ -48,12 +63,10 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     row->setSpacing(widgets::GridStep_px);
     m_setpoint = makeNumberField({}, this);
     m_from->setBuddy(m_setpoint);
-    m_go = makeButton({tr("Go"),
-                       tr("Sends the set-point (Enter in the field); more than 30° away it\n"
-                          "is approached as an even ramp at the jog speed"),
-                       {}},
-                      this);
-    m_zero = makeButton({tr("Zero"), tr("Sends the set-point zero"), {}}, this);
+    m_go = makeButton(
+        {tr("Go"), tr("Send the set-point (Enter in the field). Long moves\nare ramps at jog speed."), {}},
+        this);
+    m_zero = makeButton({tr("Zero"), tr("Send set-point zero"), {}}, this);
     row->addWidget(m_setpoint, 1);
     row->addWidget(m_go);
     row->addWidget(m_zero);
@@ -63,6 +76,9 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
     section->addWidget(m_setpointNow);
     m_jog = new JogRow(this);
     section->addWidget(m_jog);
+    m_pose = new PosePad(m_bench, this);
+    section->addWidget(m_pose);
+    connect(m_pose, &PosePad::refused, this, &DrivePanel::showError);
     // Only Enter sends: leaving the field must not move anything.
     connect(m_setpoint, &widgets::QuantityEdit::entered, this, &DrivePanel::onSetpoint);
     connect(m_setpoint, &widgets::QuantityEdit::refused, this, &DrivePanel::onSetpointRefused);
@@ -83,8 +99,7 @@ void DrivePanel::buildSetpoint(QVBoxLayout* column) {
 }
 
 QString DrivePanel::startHelp() {
-    return tr("Starts the reference from where the rotor is held: each start adds\n"
-              "its way to the one before (Ctrl+Shift+R)");
+    return tr("Start the reference from the present set-point; repeated starts\nadd up (Ctrl+Shift+R)");
 }
 
 void DrivePanel::buildReference(QVBoxLayout* column) {
@@ -95,10 +110,10 @@ void DrivePanel::buildReference(QVBoxLayout* column) {
     row->setSpacing(widgets::GridStep_px);
     m_start = makeButton({tr("Start"), startHelp(), QStringLiteral("play")}, this);
     m_start->setShortcut(QKeySequence(tr("Ctrl+Shift+R")));
-    m_end = makeButton({tr("End"),
-                        tr("Ends the reference: a position is held, a current goes to zero (Ctrl+Shift+E)"),
-                        QStringLiteral("end")},
-                       this);
+    m_end =
+        makeButton({tr("End"), tr("End the reference: position is held, current goes to 0 (Ctrl+Shift+E)"),
+                    QStringLiteral("end")},
+                   this);
     m_end->setShortcut(QKeySequence(tr("Ctrl+Shift+E")));
     row->addWidget(m_start, 1);
     row->addWidget(m_end, 1);
@@ -114,11 +129,11 @@ void DrivePanel::buildReference(QVBoxLayout* column) {
 }
 
 void DrivePanel::buildLimits(QVBoxLayout* column) {
-    QVBoxLayout* section = addSection(column, tr("Limits of the board"), this);
+    QVBoxLayout* section = addSection(column, tr("Device limits"), this);
     m_limits = new DriveLimits(m_bench, m_control, this);
     section->addWidget(m_limits);
     QLabel* until = makeNote(this);
-    until->setText(tr("They last until power-down; Save in the device, in Parameters, keeps them."));
+    until->setText(tr("Lost at power-off. To keep: Parameters > Save to device."));
     section->addWidget(until);
     connect(m_limits, &DriveLimits::failed, this, &DrivePanel::showError);
 }

@@ -1,4 +1,5 @@
 // What the Drive panel says of the motion: where it counts from, where it is, how far the next one goes.
+#include "app/workbench/drive_ability.h"
 #include "app/workspaces/drive/drive_panel.h"
 #include "app/workspaces/drive/reference_form.h"
 #include "app/workspaces/parts/panel_parts.h"
@@ -18,30 +19,28 @@ using devices::BoardMode;
 /// Beside the field, not only in its tooltip: a set-point means nothing without it.
 void DrivePanel::showOrigin() {
     const auto origin_rad = m_control.origin_rad();
-    const QString at = origin_rad ? tr(" (at %1)").arg(valueText(*origin_rad)) : QString();
+    const QString at = origin_rad ? tr(" (%1)").arg(valueText(*origin_rad)) : QString();
     m_from->setText(m_control.mode() != BoardMode::Position ? tr("Current")
-                    : !m_control.isArmed()                  ? tr("Angle from where it will be armed")
-                    : m_control.isOriginOfMode()            ? tr("Angle from where the mode was chosen") + at
-                                                            : tr("Angle from where it was armed") + at);
+                    : !m_control.isArmed()                  ? tr("Position relative to the arming position")
+                    : m_control.isOriginOfMode()            ? tr("Position relative to the mode's start") + at
+                                                 : tr("Position relative to the arming position") + at);
 }
 
 void DrivePanel::showSetpoint() {
     const double held_rad = m_control.held_rad();
-    QString words = m_control.canMove()                  ? tr("Now %1").arg(valueText(m_control.setpoint()))
-                    : m_control.awaitsOrigin()           ? tr("Waits for a sample of the angle.")
-                    : m_asking != Asking::NothingToDrive ? tr("Arm first; set-points start at zero.")
-                                                         : QString();
+    QString words = m_control.canMove()        ? tr("Set-point %1").arg(valueText(m_control.setpoint()))
+                    : m_control.awaitsOrigin() ? tr("Waiting for the first angle sample.")
+                                               : tr("Arm to move. Set-points start at 0.");
     if (m_control.canMove() && m_control.mode() == BoardMode::Position && held_rad != 0.0) {
-        words = tr("Now %1, beside %2 by jog or reference")
+        words = tr("Set-point %1 + jog or reference %2")
                     .arg(valueText(m_control.setpoint()), valueText(held_rad));
     }
     m_setpointNow->setText(words);
     const double back = m_control.goal();
-    const QString zero =
-        back == 0.0 ? tr("Sends the set-point zero")
-        : m_control.isLeap(0.0)
-            ? tr("Sends the set-point zero: moves back %1 at the jog speed").arg(valueText(back))
-            : tr("Sends the set-point zero: steps back %1").arg(valueText(back));
+    const QString zero = back == 0.0 ? tr("Send set-point zero")
+                         : m_control.isLeap(0.0)
+                             ? tr("Send set-point zero: move back by %1 at jog speed").arg(valueText(back))
+                             : tr("Send set-point zero: step back by %1").arg(valueText(back));
     if (m_zero->toolTip() != zero) {
         m_zero->setToolTip(zero);
         m_zero->setAccessibleDescription(zero);
@@ -65,23 +64,26 @@ double DrivePanel::commanded_rad() const {
 void DrivePanel::describeMotion() {
     const bool isAngle = m_control.mode() == BoardMode::Position;
     const double before = std::max(m_control.excursion_rad(), std::abs(commanded_rad()));
-    QString words = isAngle ? tr("Moves up to %1 from where it is.").arg(valueText(m_peak))
-                            : tr("Commands up to %1.").arg(valueText(m_peak));
+    QString words = isAngle ? tr("Travel: up to %1 from here.").arg(valueText(m_peak))
+                            : tr("Range: up to %1.").arg(valueText(m_peak));
     if (isAngle && commanded_rad() != 0.0) {
-        words = tr("Moves up to %1 from where it is, then up to %2 from where it was armed.")
+        words = tr("Travel: up to %1 from here, up to %2 from the arming position.")
                     .arg(valueText(m_peak), valueText(std::abs(commanded_rad()) + m_peak));
     }
-    const double window_rad = m_bench.deviceValue("window.position").value_or(0.0);
+    const double window_rad = m_bench
+                                  .deviceValue(parameterOfRole(m_bench.session().catalogue(),
+                                                               m_control.axis().roles.positionWindow))
+                                  .value_or(0.0);
     const bool isWatched = m_bench.deviceValue("window.position_enabled").value_or(0.0) > 0.5;
     const std::optional<double> limit_A = m_bench.deviceValue("limit.current");
     const bool isTooFar = isAngle && isWatched && before + m_peak > window_rad;
     const bool isTooMuch = !isAngle && limit_A && m_peak > *limit_A;
     if (isTooFar || isTooMuch) {
-        words += QLatin1Char(' ') + tr("That is beyond the limit: the board may stop it.");
+        words += QLatin1Char(' ') + tr("Above the limit: the device may stop.");
     }
     const bool isBusy = m_control.canMove() && m_control.isRunning();
     if (isBusy) {
-        words = tr("Start waits until this motion has ended, or End ends it.");
+        words = tr("A motion is running. End it to start another.");
     }
     m_motion->setText(words);
     m_start->setToolTip(isBusy ? words : startHelp());

@@ -16,7 +16,7 @@ namespace halbench::app {
 
 namespace {
 
-constexpr double Speed_rad_s = degreesToRadians(45.0); ///< that jogging begins with
+constexpr double FirstSpeed_deg_s = 45.0; ///< that jogging begins with
 
 } // namespace
 
@@ -60,13 +60,13 @@ JogRow::JogRow(QWidget* parent) : QWidget(parent) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(widgets::GridStep_px);
-    row->addWidget(addButton(tr("\u2212 Back"), tr("Moves backward while it is held (hold Space)"), -1.0));
+    row->addWidget(addButton(tr("\u2212 Back"), tr("Moves backward while held (hold Space)"), -1.0));
     m_rate = makeNumberField({}, this);
     m_check = new NumberCheck(*m_rate);
     connect(m_check, &NumberCheck::refused, this, &JogRow::refused);
     row->addWidget(m_rate, 1);
-    row->addWidget(addButton(tr("Forward +"), tr("Moves forward while it is held (hold Space)"), 1.0));
-    setAngular(true);
+    row->addWidget(addButton(tr("Forward +"), tr("Moves forward while held (hold Space)"), 1.0));
+    setQuantity(true, {});
 }
 
 HoldButton* JogRow::addButton(const QString& text, const QString& toolTip, double sign) {
@@ -78,40 +78,49 @@ HoldButton* JogRow::addButton(const QString& text, const QString& toolTip, doubl
     return button;
 }
 
-void JogRow::setAngular(bool isAngular) {
-    if (isAngular == m_isAngular) {
+void JogRow::setQuantity(bool isSpeed, const devices::AxisSpec& axis) {
+    if (isSpeed == m_isSpeed && axis.id == m_axis.id && axis.positionUnit == m_axis.positionUnit) {
         return; // keeps the speed that was chosen
     }
-    m_isAngular = isAngular;
+    m_isSpeed = isSpeed;
+    m_axis = axis;
     dress();
-    m_rate->setValue(isAngular ? Speed_rad_s * displayQuantity("rad/s", m_units).factor : 0.5);
+    m_rate->setValue(isSpeed ? firstSpeed() * shownSpeed().factor : 0.5);
+}
+
+DisplayQuantity JogRow::shownSpeed() const {
+    return displayQuantity(m_axis.positionUnit + "/s", m_units);
+}
+
+double JogRow::firstSpeed() const {
+    return FirstSpeed_deg_s * perDegree(m_axis);
 }
 
 void JogRow::setUnits(const DisplayUnits& units) {
-    const double factor = displayQuantity("rad/s", m_units).factor;
+    const double factor = shownSpeed().factor;
     m_units = units;
-    if (*m_isAngular) {
-        const double speed_rad_s = m_rate->value() / factor;
+    if (*m_isSpeed) {
+        const double speed = m_rate->value() / factor;
         dress();
-        m_rate->setValue(speed_rad_s * displayQuantity("rad/s", m_units).factor);
+        m_rate->setValue(speed * shownSpeed().factor);
     }
 }
 
-double JogRow::speed_rad_s() const {
-    return *m_isAngular ? m_rate->value() / displayQuantity("rad/s", m_units).factor : Speed_rad_s;
+double JogRow::speed() const {
+    return *m_isSpeed ? m_rate->value() / shownSpeed().factor : firstSpeed();
 }
 
 void JogRow::dress() {
-    if (!*m_isAngular) {
-        dressNumberField(*m_rate, {tr("Jog current"), tr("The current while a button is held"),
+    if (!*m_isSpeed) {
+        dressNumberField(*m_rate, {tr("Jog current"), tr("Current while a button is held"),
                                    QStringLiteral("A"), 3, 0.01, 4.0, 0.1});
         return;
     }
-    const DisplayQuantity shown = displayQuantity("rad/s", m_units);
+    const DisplayQuantity shown = shownSpeed();
+    const double degree = perDegree(m_axis) * shown.factor;
     dressNumberField(*m_rate,
-                     {tr("Jog speed"), tr("How fast it moves while a button is held"), shown.unit,
-                      shown.decimals + 1, degreesToRadians(0.1) * shown.factor,
-                      degreesToRadians(3600.0) * shown.factor, shownStep(shown, degreesToRadians(10.0))});
+                     {tr("Jog speed"), tr("Speed while a button is held"), shown.unit, shown.decimals + 1,
+                      0.1 * degree, 3600.0 * degree, shownStep(shown, 10.0 * perDegree(m_axis))});
 }
 
 void JogRow::start(double sign) {
@@ -120,7 +129,7 @@ void JogRow::start(double sign) {
         Q_EMIT refused(widgets::inWords(rate.error().message), widgets::inWords(rate.error().hint));
         return;
     }
-    Q_EMIT jogStarted(sign * (*m_isAngular ? *rate / displayQuantity("rad/s", m_units).factor : *rate));
+    Q_EMIT jogStarted(sign * (*m_isSpeed ? *rate / shownSpeed().factor : *rate));
 }
 
 } // namespace halbench::app

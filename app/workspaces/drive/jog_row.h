@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/workbench/display_quantity.h"
+#include "app/workspaces/drive/axis_ranges.h"
 
 #include <QPushButton>
 #include <QWidget>
@@ -48,13 +49,14 @@ class JogRow : public QWidget {
 public:
     explicit JogRow(QWidget* parent = nullptr);
 
-    void setAngular(bool isAngular); ///< a speed, else ampere
+    /// Of the axis in position mode, else ampere.
+    void setQuantity(bool isSpeed, const devices::AxisSpec& axis);
     void setUnits(const DisplayUnits& units);
-    /// That is shown; of an angle.
-    double speed_rad_s() const;
+    /// That is shown, in the unit of the axis a second.
+    double speed() const;
 
 Q_SIGNALS:
-    void jogStarted(double rate); ///< rad/s or A
+    void jogStarted(double rate); ///< in the unit of the axis a second, or A
     void jogStopped();
     void refused(const QString& text, const QString& remedy); ///< the rate cannot be used
 
@@ -62,9 +64,12 @@ private:
     HoldButton* addButton(const QString& text, const QString& toolTip, double sign);
     void start(double sign);
     void dress();
+    DisplayQuantity shownSpeed() const;
+    double firstSpeed() const;
 
     DisplayUnits m_units;
-    std::optional<bool> m_isAngular;
+    std::optional<bool> m_isSpeed;
+    devices::AxisSpec m_axis;
     widgets::QuantityEdit* m_rate = nullptr;
     NumberCheck* m_check = nullptr; ///< of the rate
 };

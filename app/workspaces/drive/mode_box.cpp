@@ -1,6 +1,7 @@
 #include "app/workspaces/drive/mode_box.h"
 
 #include <QEvent>
+#include <QListView>
 #include <QSignalBlocker>
 #include <QWheelEvent>
 
@@ -23,8 +24,8 @@ void ModeBox::sayWords() {
     addItems({tr("Idle"), tr("Current"), tr("Position"), tr("D-axis")});
     setCurrentIndex(shown);
     setAccessibleName(tr("Mode"));
-    setToolTip(tr("Idle: no current. Current: torque by hand. Position: holds and follows.\n"
-                  "D-axis: current that holds the rotor without turning it (%1)")
+    setToolTip(tr("Idle: no current. Current: manual torque. Position: holds and follows.\nD-axis: current "
+                  "that holds the rotor without torque (%1)")
                    .arg(m_key));
 }
 
@@ -32,6 +33,11 @@ void ModeBox::sayWords() {
 /// with the arrow keys keeps the focus.
 void ModeBox::refresh() {
     setEnabled(m_control.isAvailable());
+    // Current modes are not of one axis among several.
+    auto* rows = qobject_cast<QListView*>(view());
+    for (const devices::BoardMode mode : {devices::BoardMode::Current, devices::BoardMode::DAxis}) {
+        rows->setRowHidden(static_cast<int>(mode), m_control.hasSeveralAxes());
+    }
     if (!m_control.isPending()) {
         const QSignalBlocker quiet(this);
         setCurrentIndex(static_cast<int>(m_control.mode()));

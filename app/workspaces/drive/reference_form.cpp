@@ -6,7 +6,7 @@
 #include "control/base/units.h"
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/language/display_units.h"
-#include "widgets/language/number_words.h"
+#include "widgets/language/number_text.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QComboBox>
@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace halbench::app {
 
@@ -32,15 +33,14 @@ ReferenceForm::ReferenceForm(QWidget* parent) : QWidget(parent) {
     m_rows->setSpacing(widgets::GridStep_px);
     m_shape = new QComboBox(this);
     m_shape->setAccessibleName(tr("Shape of the reference"));
-    m_shape->setToolTip(tr("What the board's generator adds to the set-point"));
+    m_shape->setToolTip(tr("Generator signal added to the set-point"));
     m_rows->addRow(tr("Shape"), m_shape);
     for (const ReferenceFieldSpec& spec : referenceFields()) {
         addNumber(spec.field);
     }
     m_currents = new QLineEdit(QStringLiteral("1.6; 2; 2.4; 2.8"), this);
     m_currents->setAccessibleName(tr("Currents of the plateaus in ampere"));
-    m_currents->setToolTip(
-        tr("Up to 32 currents in A, one after the other, with spaces or semicolons between"));
+    m_currents->setToolTip(tr("Up to 32 currents in A, separated by spaces or semicolons"));
     label(m_currents, tr("Currents (A)"));
     fillShapes();
     refresh();
@@ -73,7 +73,7 @@ void ReferenceForm::fillShapes() {
         if (before < 0 || isAngular(spec.field)) {
             const ReferenceRange& range = isPosition() ? spec.angle : spec.current;
             const bool isInDegrees = isPosition() && isAngular(spec.field);
-            const double initial = isInDegrees ? degreesToRadians(range.initial) : range.initial;
+            const double initial = isInDegrees ? perDegree(m_axis) * range.initial : range.initial;
             box->setValue(initial * shownAs(spec.field).factor);
         }
     }
@@ -83,7 +83,8 @@ void ReferenceForm::fillShapes() {
 DisplayQuantity ReferenceForm::shownAs(Field field) const {
     const ReferenceFieldSpec& spec = referenceField(field);
     if (isPosition() && isAngular(field)) {
-        return displayQuantity(spec.angleUnit, m_units);
+        // "rad" or "rad/s" of the table
+        return displayQuantity(m_axis.positionUnit + std::string(spec.angleUnit).substr(3), m_units);
     }
     const QString unit = QString::fromUtf8(isPosition() ? spec.angleUnit : spec.currentUnit);
     return {{}, unit, 1.0, (isPosition() ? spec.angle : spec.current).decimals, 1.0};
@@ -94,8 +95,9 @@ void ReferenceForm::dress(Field field) {
     const DisplayQuantity shown = shownAs(field);
     ReferenceRange range = isPosition() ? spec.angle : spec.current;
     if (isPosition() && isAngular(field)) {
-        range = {degreesToRadians(range.min) * shown.factor, degreesToRadians(range.max) * shown.factor, 0.0,
-                 shownStep(shown, degreesToRadians(range.step)), shown.decimals};
+        const double degree = perDegree(m_axis);
+        range = {degree * range.min * shown.factor, degree * range.max * shown.factor, 0.0,
+                 shownStep(shown, degree * range.step), shown.decimals};
     }
     dressNumberField(*m_numbers.at(field), {tr(spec.title), tr(spec.help), shown.unit, range.decimals,
                                             range.min, range.max, range.step});
@@ -118,10 +120,12 @@ void ReferenceForm::setUnits(const DisplayUnits& units) {
     Q_EMIT changed();
 }
 
-void ReferenceForm::setMode(devices::BoardMode mode) {
+void ReferenceForm::setMode(devices::BoardMode mode, const devices::AxisSpec& axis) {
     const bool wasPosition = isPosition();
+    const bool isOtherAxis = axis.id != m_axis.id || axis.positionUnit != m_axis.positionUnit;
     m_mode = mode;
-    if (wasPosition != isPosition()) {
+    m_axis = axis;
+    if (wasPosition != isPosition() || isOtherAxis) {
         fillShapes();
         refresh();
     }
@@ -188,17 +192,18 @@ Result<std::vector<double>> ReferenceForm::plateaus_A() const {
     for (const QString& word : words) {
         const std::optional<double> current_A = widgets::parseNumber(word);
         if (!current_A) {
-            return failure(ErrorCode::InvalidInput, tr("'%1' is not a current.").arg(word).toStdString(),
+            return failure(ErrorCode::InvalidInput,
+                           tr("'%1' is not a valid current.").arg(word).toStdString(),
                            (widgets::numberProblem(word) + QLatin1Char(' ') +
-                            tr("Write currents in A, e.g. 1.6; 2; 2.4."))
+                            tr("Enter currents in A, e.g. 1.6; 2; 2.4."))
                                .toStdString());
         }
         currents_A.push_back(*current_A);
     }
     if (currents_A.empty() || currents_A.size() > MostPlateaus) {
         return failure(ErrorCode::OutOfRange,
-                       tr("There are %1 plateaus.").arg(static_cast<int>(currents_A.size())).toStdString(),
-                       tr("The board takes 1 to 32.").toStdString());
+                       tr("%1 plateaus entered.").arg(static_cast<int>(currents_A.size())).toStdString(),
+                       tr("Allowed: 1 to 32.").toStdString());
     }
     return currents_A;
 }
@@ -235,9 +240,9 @@ Result<std::vector<ParameterValue>> ReferenceForm::takeValues() {
         return failure(complete.error());
     }
     const double duration_s = valueOf(Field::Duration);
-    std::vector<ParameterValue> values = generatorParameters(wanted, duration_s);
+    std::vector<ParameterValue> values = generatorParameters(wanted, duration_s, m_axis.generator);
     for (ParameterValue& value : values) {
-        if (value.name == "reference.duration") {
+        if (value.name == m_axis.generator + ".duration") {
             value.value = std::max(duration_s, 0.001); // by hand it ends when it says so
         }
     }

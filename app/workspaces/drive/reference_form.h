@@ -2,6 +2,7 @@
 
 #include "app/procedures/excite/move_reference.h"
 #include "app/workbench/display_quantity.h"
+#include "app/workspaces/drive/axis_ranges.h"
 #include "app/workspaces/drive/reference_fields.h"
 #include "devices/device.h"
 
@@ -35,8 +36,8 @@ public:
 
     /// Fields show the same motion in other units.
     void setUnits(const DisplayUnits& units);
-    /// Angles in position mode, currents in the others; plateaus belong to the current modes.
-    void setMode(devices::BoardMode mode);
+    /// Positions of the axis in position mode, currents in the others; plateaus belong to the current modes.
+    void setMode(devices::BoardMode mode, const devices::AxisSpec& axis = {});
     /// 1 ... 7, the board's codes; 7 are plateaus.
     int shape() const;
     /// What the board needs to know, also from a field that was not left yet. Errors: InvalidInput,
@@ -64,6 +65,7 @@ private:
 
     DisplayUnits m_units;
     devices::BoardMode m_mode = devices::BoardMode::Position;
+    devices::AxisSpec m_axis;
     QFormLayout* m_rows = nullptr;
     QComboBox* m_shape = nullptr;
     QLineEdit* m_currents = nullptr;

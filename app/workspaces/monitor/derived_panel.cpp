@@ -31,12 +31,12 @@ DerivedPanel::DerivedPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     QVBoxLayout* column = makePanelColumn(this);
     column->addWidget(buildFields());
     m_problem = makeNote(this);
-    m_problem->setAccessibleName(tr("What is wrong with the expression"));
+    m_problem->setAccessibleName(tr("Error in the expression"));
     column->addWidget(m_problem);
     m_list = new QTableWidget(0, Columns, this);
     m_list->setHorizontalHeaderLabels({tr("Name"), tr("Expression"), tr("Unit"), tr("State")});
     m_list->setAccessibleName(tr("Derived signals"));
-    m_list->setToolTip(tr("Enter takes a row into the fields above, Delete removes it"));
+    m_list->setToolTip(tr("Enter copies a row into the fields above, Delete removes it"));
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_list->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -59,19 +59,17 @@ QWidget* DerivedPanel::buildFields() {
     auto* row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(widgets::GridStep_px);
-    m_name = addField(tr("Name"), tr("As it shall stand in the tree: letters, digits, dots, underscores"), 12,
-                      *row);
+    m_name =
+        addField(tr("Name"), tr("Name in the signal tree: letters, digits, dots, underscores"), 12, *row);
     m_expression = addField(tr("Expression"),
-                            tr("Of names of signals in SI units, e.g. current.a^2 + current.b^2; + - * / ^, "
-                               "sin, cos, atan2, sqrt, abs, exp, ln, min, max, pi. Enter keeps it"),
+                            tr("Signal names in SI units, e.g. current.a^2 + current.b^2; + - * / ^, sin, "
+                               "cos, atan2, sqrt, abs, exp, ln, min, max, pi. Enter adds it"),
                             30, *row);
-    m_unit = addField(tr("Unit"),
-                      tr("Of the value; empty: as it follows from the expression. A symbol such as rad, "
-                         "rad/s, T, A, degC is "
-                         "shown in the preferred unit"),
-                      8, *row);
-    m_keep = makeButton({tr("Keep"), tr("Computes the signal from now on (Enter)"), {}}, box);
-    m_remove = makeButton({tr("Remove"), tr("Removes the signal that is chosen below (Delete)"), {}}, box);
+    m_unit = addField(
+        tr("Unit"), tr("Unit of the result, e.g. rad, rad/s, T, A, degC; empty: derived from the expression"),
+        8, *row);
+    m_keep = makeButton({tr("Add"), tr("Add the signal; computed from now on (Enter)"), {}}, box);
+    m_remove = makeButton({tr("Remove"), tr("Remove the selected signal (Delete)"), {}}, box);
     m_remove->setEnabled(false);
     row->addWidget(m_keep);
     row->addWidget(m_remove);

@@ -51,7 +51,7 @@ MonitorCapture::MonitorCapture(Workbench& bench, widgets::LivePlotStack& stack, 
 }
 
 QString MonitorCapture::obstacle(const devices::Catalogue& catalogue) {
-    return canCapture(catalogue) ? QString() : tr("This board cannot capture by itself.");
+    return canCapture(catalogue) ? QString() : tr("This device has no capture function.");
 }
 
 void MonitorCapture::start(const TriggerChoice& choice) {
@@ -187,7 +187,7 @@ QString MonitorCapture::whatIsCaught() const {
         names << signalWords(name);
     }
     const double rate_Hz = m_capture.config().rate_Hz;
-    return tr("%1 at %2 Hz, %3 s from %4 s before the event")
+    return tr("%1 at %2 Hz, %3 s, starting %4 s before the event")
         .arg(names.join(QStringLiteral(", ")), widgets::numberText(rate_Hz, 4),
              widgets::numberText(CaptureRows / rate_Hz, 4),
              widgets::numberText(m_capture.config().pretrigger_ratio * CaptureRows / rate_Hz, 3));
@@ -199,28 +199,28 @@ TriggerWords MonitorCapture::words(const QString& event) const {
     case State::Off:
         return {};
     case State::Held:
-        return {tr("Held back"), tr("A procedure has the device; the board's capture goes on after it"),
+        return {tr("On hold"), tr("A procedure is using the device; the capture continues afterwards"),
                 Role::Warn};
     case State::Begins:
-        return {tr("Begins"), tr("The board is set up to capture %1").arg(whatIsCaught()), Role::Muted};
+        return {tr("Starting"), tr("Setting up the capture of %1").arg(whatIsCaught()), Role::Muted};
     case State::Filling:
-        return {tr("Fills"), tr("The board captures what lies before the event: %1").arg(whatIsCaught()),
+        return {tr("Filling pre-trigger"), tr("Capturing the time before the event: %1").arg(whatIsCaught()),
                 Role::Muted};
     case State::Waiting:
-        return {tr("Waiting"), tr("The board waits until %1; captures %2").arg(event, whatIsCaught()),
-                Role::Muted};
+        return {tr("Waiting"), tr("Waiting until %1; captures %2").arg(event, whatIsCaught()), Role::Muted};
     case State::Running:
-        return {tr("Triggered"), tr("The event came; the board captures what follows"), Role::Good};
+        return {tr("Triggered"), tr("Triggered; capturing the time after the event"), Role::Good};
     case State::Full:
-        return {tr("Caught"), tr("Caught; it is read when the recording is over, so that no row is lost"),
+        return {tr("Captured"),
+                tr("Captured; read from the device after the recording, so that no sample is lost"),
                 Role::Good};
     case State::Reading: {
         const QString percent = widgets::fixedText(100.0 * m_capture.fraction(), 0);
-        return {tr("Reads, %1 %").arg(percent), tr("Reads the capture from the board, %1 %").arg(percent),
-                Role::Good};
+        return {tr("Reading, %1 %").arg(percent),
+                tr("Reading the capture from the device, %1 %").arg(percent), Role::Good};
     }
     case State::Done:
-        return {tr("Stopped"), tr("Stopped after an event; Shift+T waits again; %1").arg(whatIsCaught()),
+        return {tr("Stopped"), tr("Stopped after an event (Shift+T re-arms); %1").arg(whatIsCaught()),
                 Role::Warn};
     case State::Failed:
         return {widgets::inWords(m_capture.error().message),

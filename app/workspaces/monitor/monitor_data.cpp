@@ -38,10 +38,10 @@ QAction* makeAction(QWidget& panel, const QString& text, const QString& what, co
 MonitorData::MonitorData(Workbench& bench, widgets::LivePlotStack& stack, QWidget& panel)
     : QObject(&panel), m_bench(bench), m_stack(stack), m_panel(panel) {
     m_copy =
-        makeAction(panel, tr("Copy data"), tr("Copy the samples in view, or between the cursors, as a table"),
+        makeAction(panel, tr("Copy data"), tr("Copy the samples in view or between the cursors as a table"),
                    "copy", "Ctrl+Alt+C");
     m_save = makeAction(panel, tr("Save data…"),
-                        tr("Save the samples in view, or between the cursors, as CSV, MDF4 or MAT"), "export",
+                        tr("Save the samples in view or between the cursors (CSV, MDF4, MAT)"), "export",
                         "Ctrl+Alt+E");
     connect(m_copy, &QAction::triggered, this, &MonitorData::copy);
     connect(m_save, &QAction::triggered, this, &MonitorData::save);
@@ -55,9 +55,8 @@ Result<Recording> MonitorData::rows(std::size_t mostValues) const {
 /// Of plots on other time axes; empty: none.
 QString MonitorData::leftOut() const {
     const QStringList names = takenPlots(m_stack).leftOut;
-    return names.isEmpty()
-               ? QString()
-               : tr("; on another time axis and not in it: %1").arg(names.join(QStringLiteral(", ")));
+    return names.isEmpty() ? QString()
+                           : tr("; not included (other time axis): %1").arg(names.join(QStringLiteral(", ")));
 }
 
 /// When the time axis was at zero, ISO 8601; empty where nobody knows: simulated time passes at any speed,

@@ -23,12 +23,12 @@ constexpr double VerySoon_s = 60.0;
 QString withheldWords(const Forecast& forecast) {
     switch (forecast.reason) {
     case Forecast::Reason::TooShort:
-        return MonitorForecast::tr("the load has been steady for %1 of the %2 s that are needed")
+        return MonitorForecast::tr("needs %2 s of steady load (%1 s so far)")
             .arg(widgets::fixedText(forecast.stretch_s, 0), widgets::fixedText(Forecast::LeastStretch_s, 0));
     case Forecast::Reason::NoStep:
-        return MonitorForecast::tr("the temperature has not changed by one step of its sensor");
+        return MonitorForecast::tr("temperature change below the sensor's resolution");
     case Forecast::Reason::NotFirstOrder:
-        return MonitorForecast::tr("the temperature does not go as it does at a steady load");
+        return MonitorForecast::tr("temperature does not follow a steady load");
     case Forecast::Reason::None:
         break;
     }
@@ -61,31 +61,30 @@ QString forecastWords(const CoilForecast& coil) {
     const QString limit = MonitorForecast::tr("%1 °C").arg(widgets::fixedText(forecast.limit_degC, 0));
     switch (forecast.verdict) {
     case Forecast::Verdict::Reached:
-        return MonitorForecast::tr("%1 reaches %2 in %3 (95 %: %4 to %5) at this load.")
+        return MonitorForecast::tr("%1 reaches %2 at this load in %3 (95 %: %4 to %5).")
             .arg(name, limit, spanWords(*forecast.time_s), spanWords(forecast.interval95_s->first),
                  spanWords(forecast.interval95_s->second));
     case Forecast::Verdict::NotReached:
         return forecast.final95_degC
-                   ? MonitorForecast::tr("%1 does not reach %2 at this load: it goes to %3 to %4 °C.")
+                   ? MonitorForecast::tr("%1 stays below %2 at this load: final value %3 to %4 °C.")
                          .arg(name, limit, widgets::fixedText(forecast.final95_degC->first, 1),
                               widgets::fixedText(forecast.final95_degC->second, 1))
-                   : MonitorForecast::tr("%1 does not reach %2 at this load.").arg(name, limit);
+                   : MonitorForecast::tr("%1 stays below %2 at this load.").arg(name, limit);
     case Forecast::Verdict::NotBefore:
-        return MonitorForecast::tr(
-                   "%1 does not reach %2 for %3 at this load; whether at all is not known yet.")
+        return MonitorForecast::tr("%1 stays below %2 for %3 at this load; final value not known yet.")
             .arg(name, limit, spanWords(*forecast.earliest_s));
     case Forecast::Verdict::AtLimit:
         return MonitorForecast::tr("%1 is at its limit of %2.").arg(name, limit);
     case Forecast::Verdict::Withheld:
         break;
     }
-    return MonitorForecast::tr("Time to %1 not known: %2.").arg(limit, withheldWords(forecast));
+    return MonitorForecast::tr("Time to %1: %2.").arg(limit, withheldWords(forecast));
 }
 
 MonitorForecast::MonitorForecast(Workbench& bench, widgets::LivePlotStack& stack, QWidget& panel)
     : QObject(&panel), m_bench(bench), m_stack(stack) {
     m_words = new widgets::ElidedLabel(LeastCharacters, &panel);
-    m_words->setAccessibleName(tr("Time until the coils reach their limit"));
+    m_words->setAccessibleName(tr("Time until the coil limit is reached"));
     m_words->setContentsMargins(widgets::PanelMargin_px, widgets::GridStep_px / 2, widgets::PanelMargin_px,
                                 widgets::GridStep_px / 2);
     widgets::setRole(*m_words, widgets::Role::Muted);
@@ -141,7 +140,7 @@ void MonitorForecast::take() {
 /// Whether there was a temperature.
 bool MonitorForecast::takeCoil(std::size_t coil, control::TimeRange range) {
     const control::SampleHistory& history = m_bench.history();
-    const CoilWatch::Coil& names = m_watch->coils()[coil];
+    const CoilTemperatureMonitor::Coil& names = m_watch->coils()[coil];
     std::vector<control::TimedValue> temperatures;
     std::vector<control::TimedValue> currents;
     if (names.temperature.empty() || !history.samples(names.temperature, range, temperatures)) {
@@ -164,8 +163,9 @@ bool MonitorForecast::isShown() const {
         return false;
     }
     const std::set<std::string> plotted = plottedSignals(m_stack.plots());
-    return std::any_of(m_watch->coils().begin(), m_watch->coils().end(),
-                       [&](const CoilWatch::Coil& coil) { return plotted.count(coil.temperature) > 0; });
+    return std::any_of(
+        m_watch->coils().begin(), m_watch->coils().end(),
+        [&](const CoilTemperatureMonitor::Coil& coil) { return plotted.count(coil.temperature) > 0; });
 }
 
 std::optional<double> MonitorForecast::limit_degC() const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/procedures/base/coil_watch.h"
+#include "app/procedures/base/coil_temperature_monitor.h"
 #include "app/workbench/workbench.h"
 
 #include <QObject>
@@ -36,7 +36,7 @@ private:
     Workbench& m_bench;
     widgets::LivePlotStack& m_stack;
     widgets::ElidedLabel* m_words = nullptr;
-    std::optional<CoilWatch> m_watch;
+    std::optional<CoilTemperatureMonitor> m_watch;
     double m_taken_s = 0.0; ///< up to this time of the history
     int m_silence = 0;      ///< looks in a row that found no temperature
     QTimer m_timer;

@@ -12,6 +12,7 @@
 #include "app/workspaces/monitor/monitor_statistics.h"
 #include "app/workspaces/monitor/monitor_tools.h"
 #include "app/workspaces/monitor/monitor_trigger.h"
+#include "app/workspaces/monitor/plot_menu.h"
 #include "app/workspaces/monitor/recorded_markers.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/parts/signal_box.h"
@@ -25,6 +26,7 @@
 #include <QAction>
 #include <QEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QStackedWidget>
 #include <QToolBar>
 #include <QToolButton>
@@ -58,9 +60,14 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent, Rank rank)
     }
     m_picture = new MonitorPicture(m_bench, *m_stack, *this);
     m_data = new MonitorData(m_bench, *m_stack, *this);
-    m_stack->setContextMenuPolicy(Qt::ActionsContextMenu);
     m_stack->addActions({&m_data->copyAction(), &m_data->saveAction(), &m_picture->copyAction(),
                          &m_picture->saveAction(), &m_picture->colourAction()});
+    QMenu* menu = makePlotMenu(
+        *m_stack, {{&m_picture->copyAction(), &m_data->copyAction()},
+                   {&m_picture->saveAction(), &m_data->saveAction(), &m_picture->colourAction()}});
+    m_stack->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_stack, &QWidget::customContextMenuRequested, menu,
+            [this, menu](const QPoint& place) { menu->popup(m_stack->mapToGlobal(place)); });
     m_reference = new MonitorReference(*m_stack, *this);
     m_statistics = new MonitorStatistics(m_bench, *m_stack, *this);
     auto* column = new QVBoxLayout(plots);
@@ -120,6 +127,7 @@ void MonitorPanel::connectBench() {
 /// A tool bar, so that what does not fit goes into its menu instead of widening the window.
 QWidget* MonitorPanel::buildTools() {
     auto* bar = new QToolBar(tr("Plots"), this);
+    m_tools = bar;
     bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))->setToolTip(tr("More tools"));
     addPlotTools(*bar, *m_stack);
     if (!isFirst()) {
@@ -139,10 +147,16 @@ QWidget* MonitorPanel::buildTools() {
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);
     m_stream = new QLabel(bar);
-    m_stream->setToolTip(tr("What the device sends to the plots"));
+    m_stream->setToolTip(tr("Signals sent to the plots"));
     widgets::setRole(*m_stream, widgets::Role::Muted);
     bar->addWidget(m_stream);
     return bar;
+}
+
+void MonitorPanel::addTools(const QList<QAction*>& actions) {
+    for (QAction* action : actions) {
+        addTool(*m_tools, *action, true);
+    }
 }
 
 void MonitorPanel::setFileChooser(FileChooser chooser) {
@@ -159,7 +173,7 @@ void MonitorPanel::connectStack() {
     connect(m_data, &MonitorData::failed, this, sayFailure);
     if (isFirst()) {
         connect(m_recorded, &RecordedMarkers::failed, this, [sayFailure](const Error& error) {
-            sayFailure(tr("The markers are not kept: %1").arg(widgets::inWords(error.message)),
+            sayFailure(tr("Markers not saved: %1").arg(widgets::inWords(error.message)),
                        widgets::inWords(error.hint));
         });
     }
@@ -169,7 +183,7 @@ void MonitorPanel::connectStack() {
     connect(m_reference, &MonitorReference::failed, this, sayFailure);
     const auto sayDoubt = [this](const QString& text) {
         m_message->showMessage(
-            {widgets::Severity::Warning, text, tr("What is shown may not be what was recorded."), {}});
+            {widgets::Severity::Warning, text, tr("The data shown may differ from the data recorded."), {}});
     };
     connect(m_reference, &MonitorReference::doubted, this, sayDoubt);
     connect(&m_bench.shownRecording(), &ShownRecording::doubted, this, sayDoubt);
@@ -310,10 +324,10 @@ void MonitorPanel::takeRecordedMarker(double device_s, const QString& note) {
 }
 
 void MonitorPanel::refreshWords() {
-    m_empty->setWords(tr("Nothing to watch yet"),
-                      tr("Shows what a connected device measures, live. Choose a device at the left, or try "
-                         "the simulated motor."),
-                      tr("Connect the simulated motor"), QStringLiteral("Ctrl+Shift+S"));
+    m_empty->setWords(
+        tr("No live data"),
+        tr("Connect a device to see live data: choose one on the left, or try the simulated motor."),
+        tr("Connect the simulated motor"), QStringLiteral("Ctrl+Shift+S"));
 }
 
 void MonitorPanel::refreshStream() {

@@ -46,6 +46,8 @@ public:
     explicit MonitorPanel(Workbench& bench, QWidget* parent = nullptr, Rank rank = Rank::First);
 
     void setFileChooser(FileChooser chooser);
+    /// At the right end of the tools.
+    void addTools(const QList<QAction*>& actions);
     MonitorView view() const;
     /// Shown when a device is there. Signals that it does not have are left out and said in place; they stay
     /// part of view() until the user changes the plots.
@@ -106,6 +108,7 @@ private:
     MonitorRecording* m_recording = nullptr;
     RecordedMarkers* m_recorded = nullptr; ///< null in a further one
     MonitorStatistics* m_statistics = nullptr;
+    QToolBar* m_tools = nullptr;
     QLabel* m_stream = nullptr;
     QTimer m_values;    ///< what is said of the stream
     QString m_device;   ///< whose plots are shown; empty: the view waits for a device

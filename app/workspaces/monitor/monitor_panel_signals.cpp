@@ -34,7 +34,7 @@ QString listed(const std::vector<std::string>& names) {
 void MonitorPanel::addBox(QToolBar& bar) {
     m_box = new SignalBox(&bar);
     m_box->setAccessibleName(tr("Signal to plot"));
-    m_box->setToolTip(tr("Plots the signal that is chosen (Insert)"));
+    m_box->setToolTip(tr("Plot the selected signal (Insert)"));
     bar.addWidget(m_box);
     connect(m_box, &SignalBox::chosen, this, [this] {
         addTo(std::exchange(m_addTo, -1), m_box->signal());
@@ -142,16 +142,14 @@ void MonitorPanel::sayLeftOut() {
     if (!leftOut.isEmpty()) {
         m_message->showMessage({widgets::Severity::Warning,
                                 tr("Not shown: %1").arg(leftOut),
-                                tr("The device samples them at other moments than the rest, or at none that "
-                                   "repeat. Plot signals of one event together."),
+                                tr("These signals are sampled at other events than the others. Plot only "
+                                   "signals of the same event together."),
                                 {}});
     } else if (!postponed.isEmpty()) {
-        m_message->showMessage(
-            {widgets::Severity::Information,
-             tr("Not in the running recording: %1").arg(postponed),
-             tr("They are added when the recording has ended; until then the stream stays as "
-                "it is, so that the recording has no gap."),
-             {}});
+        m_message->showMessage({widgets::Severity::Information,
+                                tr("Not in the running recording: %1").arg(postponed),
+                                tr("They are added after the recording, so that the recording has no gap."),
+                                {}});
     } else if (!lowered.isEmpty()) {
         m_message->showMessage({widgets::Severity::Information, lowered, tr("Plot fewer signals."), {}});
     } else if (m_isLeftOutSaid) {

@@ -55,13 +55,14 @@ widgets::Message notAsKept(const QStringList& missing, const QStringList& unfit)
     if (!missing.isEmpty()) {
         texts << MonitorPanel::tr("Signals of the project that this device does not have: %1")
                      .arg(missing.join(", "));
-        remedies << MonitorPanel::tr("They are left out; the project keeps them until you change the plots.");
+        remedies << MonitorPanel::tr(
+            "They are not plotted. The project keeps them until you change the plots.");
     }
     if (!unfit.isEmpty()) {
-        texts << MonitorPanel::tr("Units of the project that do not fit their signals: %1")
-                     .arg(unfit.join(", "));
-        remedies << MonitorPanel::tr("They are shown as in the preferences; choose others in the legend (U). "
-                                     "The project keeps them until you change the plots.");
+        texts
+            << MonitorPanel::tr("Units of the project that do not fit the signals: %1").arg(unfit.join(", "));
+        remedies << MonitorPanel::tr("The units of the preferences are used. Choose others in the legend "
+                                     "(U). The project keeps its entries until you change the plots.");
     }
     return {
         widgets::Severity::Warning, texts.join(QStringLiteral("; ")), remedies.join(QLatin1Char(' ')), {}};

@@ -23,6 +23,7 @@ namespace halbench::app {
 namespace {
 
 constexpr std::size_t FigureColumns = 1600; ///< two to a pixel of a picture of usual width
+constexpr int CurveColours = 8;
 constexpr int PanelHeight_px = 160;
 constexpr int LeastHeight_px = 60; ///< of a plot that is low on the screen too
 constexpr double ClipboardFineness = 2.0;
@@ -67,6 +68,11 @@ widgets::Curve drawnCurve(const control::SampleHistory& history, const widgets::
     return drawn;
 }
 
+/// As on the screen.
+int colourOf(const widgets::LivePlotStack& stack, const std::string& signal, std::size_t position) {
+    return stack.colours().placeOf(signal, static_cast<int>(position)) % CurveColours;
+}
+
 /// Dotted, in the colours of the curves they are compared with.
 void addReference(widgets::Panel& panel, const widgets::LivePlotStack& stack, const widgets::PlotSpec& plot,
                   control::TimeRange range) {
@@ -85,7 +91,7 @@ void addReference(widgets::Panel& panel, const widgets::LivePlotStack& stack, co
         trace.label =
             MonitorPicture::tr("%1, reference").arg(QString::fromStdString(trace.label)).toStdString();
         trace.style = widgets::CurveStyle::DottedLine;
-        trace.colour = static_cast<int>(i);
+        trace.colour = colourOf(stack, plot.curves[i].signal, i);
         panel.curves.push_back(std::move(trace));
     }
 }
@@ -169,8 +175,9 @@ widgets::Panel panelOf(const widgets::LivePlotStack& stack, int plot, const cont
                                     {}};
     }
     panel.height_px = heightOf(stack.plots(), spec);
-    for (const widgets::PlotCurve& curve : spec.curves) {
-        panel.curves.push_back(drawnCurve(history, curve, range));
+    for (std::size_t i = 0; i < spec.curves.size(); ++i) {
+        panel.curves.push_back(drawnCurve(history, spec.curves[i], range));
+        panel.curves.back().colour = colourOf(stack, spec.curves[i].signal, i);
     }
     addReference(panel, stack, spec, range);
     return panel;
@@ -207,9 +214,9 @@ MonitorPicture::MonitorPicture(Workbench& bench, widgets::LivePlotStack& stack, 
         makeAction(panel, tr("Copy picture"), tr("Copy the plots as a picture"), "copy", QKeySequence::Copy);
     m_save = makeAction(panel, tr("Save picture…"), tr("Save the plots as SVG, PDF or PNG"), "export",
                         QKeySequence(QStringLiteral("Ctrl+E")));
-    m_asOnScreen = new QAction(tr("Pictures in the window's colours"), &panel);
+    m_asOnScreen = new QAction(tr("Pictures in window colours"), &panel);
     m_asOnScreen->setCheckable(true);
-    m_asOnScreen->setToolTip(tr("Otherwise they are light, for paper and documents"));
+    m_asOnScreen->setToolTip(tr("Off: light background for paper and documents"));
     connect(m_copy, &QAction::triggered, this, &MonitorPicture::copy);
     connect(m_save, &QAction::triggered, this, &MonitorPicture::save);
 }
@@ -235,7 +242,10 @@ void MonitorPicture::copy() {
         widgets::sheetsImage(sheets(), theme(), ClipboardFineness, width_px()));
 }
 
+/// As the plots are now, not after the dialog.
 void MonitorPicture::save() {
+    const std::vector<widgets::PictureSheet> taken = sheets();
+    const int takenWidth_px = width_px();
     const QString path = m_chooser.save ? m_chooser.save(&m_panel, {tr("Save picture"), tr("plots.svg"),
                                                                     tr("Picture (*.svg *.pdf *.png)")})
                                         : QString();
@@ -243,7 +253,7 @@ void MonitorPicture::save() {
         return;
     }
     const auto format = widgets::pictureFormat(path).value_or(widgets::PictureFormat::Png);
-    m_files.run(widgets::pictureWriting(widgets::sheetsFile(sheets(), theme(), format, width_px()), path),
+    m_files.run(widgets::pictureWriting(widgets::sheetsFile(taken, theme(), format, takenWidth_px), path),
                 [this](const Result<void>& written) {
                     if (!written) {
                         Q_EMIT failed(widgets::inWords(written.error().message),

@@ -13,16 +13,45 @@ namespace {
 
 constexpr std::size_t FirstSignals = 8;
 
-/// Roles of one plot each, from top to bottom.
-const std::vector<std::vector<std::string>>& defaultRoles() {
-    static const std::vector<std::vector<std::string>> roles = {
-        {"hall.a", "hall.b"},
-        {"position", "reference"},
-        {"speed"},
-        {"current_command", "current.a", "current.b"},
-        {"coil_temperature.a", "coil_temperature.b"},
-    };
-    return roles;
+/// Of a fresh start; more would be too low to be read on a small screen.
+constexpr std::size_t FirstPlots = 3;
+
+/// Roles of what stands in one plot, what matters most first. One that ends with a dot stands for those of
+/// all coils or sensors, `current.`.
+std::vector<std::vector<std::string>> defaultRoles(const devices::Catalogue& catalogue) {
+    std::vector<std::string> positions;
+    std::vector<std::string> speeds;
+    for (const devices::AxisSpec& axis : catalogue.axes) {
+        positions.push_back(axis.roles.position);
+        positions.push_back(axis.roles.reference);
+        speeds.push_back(axis.roles.speed);
+    }
+    if (catalogue.axes.empty()) { // it only senses
+        positions = {"position", "reference"};
+        speeds = {"speed"};
+    }
+    return {positions, speeds, {"current_command", "current."}, {"hall."}, {"coil_temperature."}};
+}
+
+bool plays(const SignalSpec& spec, const std::string& role) {
+    return !role.empty() && (role.back() == '.' ? spec.role.rfind(role, 0) == 0 : spec.role == role);
+}
+
+bool isSensor(const SignalSpec& spec) {
+    const auto begins = [&spec](const char* role) { return spec.role.rfind(role, 0) == 0; };
+    return begins("position") || begins("hall.") || begins("coil_temperature.");
+}
+
+/// Into the plot of its unit from that one on, else into one of its own.
+void addToOwnUnit(std::vector<widgets::PlotSpec>& plots, std::size_t from, widgets::PlotSpec wanted) {
+    const auto begin = plots.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto same = std::find_if(
+        begin, plots.end(), [&wanted](const widgets::PlotSpec& plot) { return plot.unit == wanted.unit; });
+    if (same == plots.end()) {
+        plots.push_back(std::move(wanted));
+    } else {
+        same->curves.push_back(wanted.curves.front());
+    }
 }
 
 std::optional<double> constant(const devices::Catalogue& catalogue, const char* name) {
@@ -45,6 +74,7 @@ std::vector<widgets::PlotSpec> firstSignals(const devices::Catalogue& catalogue,
             same->curves.push_back(wanted.curves.front());
         }
     }
+    plots.resize(std::min(plots.size(), FirstPlots));
     return plots;
 }
 
@@ -105,6 +135,7 @@ widgets::PlotCurve curveFor(const SignalSpec& spec, const DisplayUnits& units) {
     const DisplayQuantity shown = displayQuantity(spec.unit, units);
     widgets::PlotCurve curve{spec.name, signalWords(spec.name), shown.unit, shown.factor, shown.decimals};
     curve.unitChoices = unitChoices(spec.unit, units);
+    curve.isSensor = isSensor(spec);
     return curve;
 }
 
@@ -131,23 +162,17 @@ widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands,
 std::vector<widgets::PlotSpec> defaultPlots(const devices::Catalogue& catalogue,
                                             const TemperatureBands& bands, const DisplayUnits& units) {
     std::vector<widgets::PlotSpec> plots;
-    for (const std::vector<std::string>& roles : defaultRoles()) {
-        std::optional<widgets::PlotSpec> plot;
+    for (const std::vector<std::string>& roles : defaultRoles(catalogue)) {
+        const std::size_t first = plots.size();
         for (const std::string& role : roles) {
-            const SignalSpec* spec = catalogue.findSignal(catalogue.signalForRole(role));
-            if (spec == nullptr) {
-                continue;
+            for (const SignalSpec& spec : catalogue.signals) {
+                if (plays(spec, role)) {
+                    addToOwnUnit(plots, first, plotFor(spec, bands, units));
+                }
             }
-            if (plot) {
-                plot->curves.push_back(curveFor(*spec, units));
-            } else {
-                plot = plotFor(*spec, bands, units);
-            }
-        }
-        if (plot) {
-            plots.push_back(*plot);
         }
     }
+    plots.resize(std::min(plots.size(), FirstPlots));
     return plots.empty() ? firstSignals(catalogue, bands, units) : plots;
 }
 

@@ -29,8 +29,8 @@ MonitorRate::MonitorRate(Workbench& bench, QWidget& panel)
     m_action = new QAction(widgets::themedIcon(QStringLiteral("read")), tr("Live rate"), &panel);
     m_action->setShortcut(QKeySequence(QStringLiteral("H")));
     m_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    m_action->setToolTip(QStringLiteral("%1 (H)").arg(
-        tr("More rows per second for the plots, as many as the device and its link carry")));
+    m_action->setToolTip(
+        QStringLiteral("%1 (H)").arg(tr("Sample rate of the plots, limited by device and link")));
     m_action->setMenu(m_menu);
     panel.addAction(m_action);
     connect(m_menu, &QMenu::aboutToShow, this, &MonitorRate::fill);
@@ -69,8 +69,7 @@ QString MonitorRate::loweredWords() const {
     if (most_Hz <= 0.0 || m_rate_Hz <= most_Hz || m_rate_Hz <= live.usualRate_Hz()) {
         return {};
     }
-    return tr("What is plotted cannot come at %1; it comes at %2, the most that the device and its link "
-              "carry.")
+    return tr("%1 is not possible for the plotted signals; %2 is used, the maximum of device and link.")
         .arg(rateText(m_rate_Hz), rateText(most_Hz));
 }
 
@@ -85,13 +84,13 @@ void MonitorRate::fill() {
         connect(choice, &QAction::triggered, this, [this, rate_Hz] { setRate_Hz(rate_Hz); });
     };
     const double usual_Hz = m_bench.liveSignals().usualRate_Hz();
-    add(usual_Hz > 0.0 ? tr("As usual, %1").arg(rateText(usual_Hz)) : tr("As usual"), 0.0);
+    add(usual_Hz > 0.0 ? tr("Default (%1)").arg(rateText(usual_Hz)) : tr("Default"), 0.0);
     const std::vector<double> choices = choices_Hz();
     for (const double rate_Hz : choices) {
         add(rateText(rate_Hz), rate_Hz);
     }
     if (choices.empty()) {
-        m_menu->addAction(tr("The device and its link carry no more"))->setEnabled(false);
+        m_menu->addAction(tr("Maximum of device and link"))->setEnabled(false);
     } else if (m_rate_Hz > 0.0 && std::find(choices.begin(), choices.end(), m_rate_Hz) == choices.end()) {
         add(rateText(m_rate_Hz), m_rate_Hz); // as a project has it
     }

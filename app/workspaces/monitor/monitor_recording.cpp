@@ -74,17 +74,16 @@ void MonitorRecording::keepMarkers() {
             {same != m_kept.end() ? same->time_s : marker.time_s + first_s, marker.text.toStdString()});
     }
     m_kept = markers;
-    m_files.run(
-        [path = m_keptPath, markers] { return writeRecordingMarkers(path, markers); },
-        [this](const Result<void>& written) {
-            if (!written) {
-                m_message.showMessage(
-                    {widgets::Severity::Warning,
-                     tr("The markers are not kept: %1").arg(widgets::inWords(written.error().message)),
-                     widgets::inWords(written.error().hint),
-                     {}});
-            }
-        });
+    m_files.run([path = m_keptPath, markers] { return writeRecordingMarkers(path, markers); },
+                [this](const Result<void>& written) {
+                    if (!written) {
+                        m_message.showMessage(
+                            {widgets::Severity::Warning,
+                             tr("Markers not saved: %1").arg(widgets::inWords(written.error().message)),
+                             widgets::inWords(written.error().hint),
+                             {}});
+                    }
+                });
 }
 
 /// The plots fill from the left.
@@ -128,10 +127,10 @@ QString MonitorRecording::streamWords() const {
         return tr("no signals");
     }
     if (isVirtual) {
-        return tr("time passes only while a procedure runs");
+        return tr("time advances only during a procedure");
     }
     const QString words =
-        tr("%n signal(s), %1 Hz, rows lost: %2", nullptr, static_cast<int>(live.streamed().size()))
+        tr("%n signal(s), %1 Hz, samples lost: %2", nullptr, static_cast<int>(live.streamed().size()))
             .arg(widgets::fixedText(live.rate_Hz(), 0), widgets::countText(m_bench.history().lostRows()));
     const double pace_ratio = m_bench.pace().speed_ratio;
     return canBePaced(m_bench) && pace_ratio != 1.0

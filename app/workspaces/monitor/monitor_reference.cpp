@@ -49,13 +49,12 @@ Result<ReadReference> readReference(const QString& path) {
 
 MonitorReference::MonitorReference(widgets::LivePlotStack& stack, QWidget& panel)
     : QObject(&panel), m_stack(stack), m_panel(panel) {
-    m_open =
-        new QAction(widgets::themedIcon(QStringLiteral("open")), tr("Reference from a recording…"), &panel);
+    m_open = new QAction(widgets::themedIcon(QStringLiteral("open")), tr("Recording as reference…"), &panel);
     m_open->setShortcut(QKeySequence(QStringLiteral("Ctrl+K")));
     m_open->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-    m_open->setToolTip(QStringLiteral("%1 (%2)").arg(
-        tr("Lay a recording under the curves, aligned at the trigger or at the beginning"),
-        m_open->shortcut().toString(QKeySequence::NativeText)));
+    m_open->setToolTip(
+        QStringLiteral("%1 (%2)").arg(tr("Show a recording below the curves, aligned at trigger or start"),
+                                      m_open->shortcut().toString(QKeySequence::NativeText)));
     panel.addAction(m_open);
     connect(m_open, &QAction::triggered, this, &MonitorReference::open);
     auto* menu = new QMenu(&panel);
@@ -63,15 +62,14 @@ MonitorReference::MonitorReference(widgets::LivePlotStack& stack, QWidget& panel
     menu->addAction(m_open);
     menu->addAction(stack.action(widgets::LivePlotStack::Command::RemoveReference));
     m_menuAction = new QAction(widgets::themedIcon(QStringLiteral("reference")), tr("Reference"), &panel);
-    m_menuAction->setToolTip(
-        tr("Faint curves below the live ones: keep what is shown (K), a recording (Ctrl+K), none (Shift+K)"));
+    m_menuAction->setToolTip(tr("Reference curves: keep the view (K), a recording (Ctrl+K), none (Shift+K)"));
     m_menuAction->setMenu(menu);
 }
 
 void MonitorReference::open() {
     const QString path =
         m_chooser.open
-            ? m_chooser.open(&m_panel, {tr("Reference from a recording"), {}, tr("Recording (*.csv *.mf4)")})
+            ? m_chooser.open(&m_panel, {tr("Recording as reference"), {}, tr("Recording (*.csv *.mf4)")})
             : QString();
     if (path.isEmpty()) {
         return;

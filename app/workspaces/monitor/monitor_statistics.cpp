@@ -42,7 +42,7 @@ MonitorStatistics::MonitorStatistics(Workbench& bench, widgets::LivePlotStack& s
     m_action->setShortcut(QKeySequence(QStringLiteral("S")));
     m_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     m_action->setToolTip(
-        tr("Smallest, largest, mean, rms and spread of what is in view or between the cursors (S)"));
+        tr("Minimum, maximum, mean, rms and standard deviation in view or between cursors (S)"));
     panel.addAction(m_action);
     m_table = new widgets::StatisticsTable(&panel);
     m_table->hide();
@@ -97,7 +97,7 @@ QString MonitorStatistics::stretchWords() const {
     if (m_stack.cursors().isVisible) {
         return tr("A to B, %1 s").arg(length);
     }
-    return m_stack.hasOwnTimes() ? tr("In view of each plot") : tr("In view, %1 s").arg(length);
+    return m_stack.hasOwnTimes() ? tr("Visible range of each plot") : tr("In view, %1 s").arg(length);
 }
 
 QWidget& MonitorStatistics::table() {

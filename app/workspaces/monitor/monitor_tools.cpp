@@ -37,7 +37,9 @@ void addTool(QToolBar& bar, QAction& action, bool hasText) {
     bar.addAction(&action);
     auto* button = static_cast<QToolButton*>(bar.widgetForAction(&action));
     button->setAccessibleName(action.text());
-    button->setToolButtonStyle(hasText ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+    const Qt::ToolButtonStyle inWords =
+        action.icon().isNull() ? Qt::ToolButtonTextOnly : Qt::ToolButtonTextBesideIcon;
+    button->setToolButtonStyle(hasText ? inWords : Qt::ToolButtonIconOnly);
     button->setPopupMode(QToolButton::InstantPopup); // of one that has a menu
 }
 

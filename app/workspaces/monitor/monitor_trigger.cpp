@@ -61,11 +61,10 @@ MonitorTrigger::MonitorTrigger(Workbench& bench, widgets::LivePlotStack& stack, 
 }
 
 void MonitorTrigger::createActions(QWidget& panel) {
-    m_onOff = makeAction(panel, tr("Trigger"),
-                         tr("Oscilloscope: show the time around the newest event until the next one"),
+    m_onOff = makeAction(panel, tr("Trigger"), tr("Oscilloscope view: time around the latest event"),
                          "trigger", "T");
     m_onOff->setCheckable(true);
-    m_again = makeAction(panel, tr("Wait again"), tr("Forget what was seen and wait for the next event"),
+    m_again = makeAction(panel, tr("Re-arm trigger"), tr("Clear the event and wait for the next one"),
                          "waiting", "Shift+T");
     m_again->setEnabled(false);
 }
@@ -275,7 +274,7 @@ void MonitorTrigger::sayLive() {
     const QString when = shown ? widgets::fixedText(shown->time_s, TimeDecimals) : QString();
     const std::string& source = m_bar->choice().source;
     if (!source.empty() && !m_bench.history().contains(source)) {
-        m_bar->setState(tr("No samples"), tr("No samples of %1 come").arg(signalWords(source)),
+        m_bar->setState(tr("No samples"), tr("No samples of %1").arg(signalWords(source)),
                         widgets::Role::Warn);
         return;
     }
@@ -289,11 +288,10 @@ void MonitorTrigger::sayLive() {
     case TriggerState::Filling:
     case TriggerState::Shown:
         if (!shown) {
-            m_bar->setState(tr("Triggered"), tr("Triggered; the window is not over yet"),
-                            widgets::Role::Good);
+            m_bar->setState(tr("Triggered"), tr("Triggered; filling the window"), widgets::Role::Good);
         } else if (isByItself) {
             m_bar->setState(tr("Auto: no event"),
-                            tr("Auto: no event, shown by itself; waiting until %1").arg(m_bar->eventWords()),
+                            tr("Auto: no event, free-running; waiting until %1").arg(m_bar->eventWords()),
                             widgets::Role::Muted);
         } else {
             m_bar->setState(tr("Triggered at %1 s").arg(when),
@@ -302,7 +300,7 @@ void MonitorTrigger::sayLive() {
         break;
     case TriggerState::Stopped:
         m_bar->setState(tr("Stopped at %1 s").arg(when),
-                        tr("Stopped after the event at %1 s; Shift+T waits again").arg(when),
+                        tr("Stopped after the event at %1 s (Shift+T re-arms)").arg(when),
                         widgets::Role::Warn);
         break;
     }

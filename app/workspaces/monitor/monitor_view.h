@@ -2,8 +2,8 @@
 
 #include "app/workbench/trigger_choice.h"
 #include "devices/acquisition/derived_signals.h"
-#include "widgets/live_plot/time_view.h"
-#include "widgets/live_plot/value_range.h"
+#include "widgets/live_plot/axes/time_view.h"
+#include "widgets/live_plot/axes/value_range.h"
 
 #include <map>
 #include <optional>

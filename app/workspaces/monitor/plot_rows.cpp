@@ -98,9 +98,8 @@ Result<Recording> plotRows(const std::vector<widgets::PlotSpec>& plots, const co
     }
     if (count > mostValues) {
         return failure(ErrorCode::OutOfRange,
-                       fmt::format("{} values are more than are taken out of the plots at once", count),
-                       "zoom in or set the cursors closer, or record it and cut the recording with "
-                       "halbench convert");
+                       fmt::format("{} values exceed the limit for data from the plots", count),
+                       "zoom in, move the cursors closer, or record and cut with halbench convert");
     }
     std::vector<Samples> columns;
     for (const StreamLayout::Column& column : layout.columns) {
@@ -109,8 +108,8 @@ Result<Recording> plotRows(const std::vector<widgets::PlotSpec>& plots, const co
     Recording rows;
     rows.time_s = momentsOf(columns);
     if (rows.time_s.empty()) {
-        return failure(ErrorCode::OutOfRange, "the plots have no samples in this stretch of time",
-                       "scroll to where there are some, or move the cursors");
+        return failure(ErrorCode::OutOfRange, "no samples of the plots in this time range",
+                       "scroll to a range with samples, or move the cursors");
     }
     const std::size_t width = columns.size();
     rows.values.assign(rows.time_s.size() * width, NaN);

@@ -4,7 +4,7 @@
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/live_plot/live_plot_spec.h"
-#include "widgets/live_plot/stale_words.h"
+#include "widgets/live_plot/stale_text.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QHeaderView>
@@ -26,7 +26,7 @@ constexpr int NameRole = Qt::UserRole;
 
 SignalTree::SignalTree(QWidget* parent) : QTreeWidget(parent) {
     setAccessibleName(tr("Signals of the device"));
-    setToolTip(tr("A tick plots a signal (Enter or Space); drag it onto a plot"));
+    setToolTip(tr("Tick to plot a signal (Enter or Space), or drag it onto a plot"));
     setHeaderLabels({tr("Signal"), tr("Now"), tr("Unit")});
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     setDragEnabled(true);

@@ -40,7 +40,7 @@ void setReason(QComboBox& box, int index, const QString& reason) {
 
 /// It is narrower than its longest choice, which is read here.
 void tellChoice(QComboBox& source) {
-    source.setToolTip(TriggerBar::tr("The signal whose edge is the event, or the set-point") +
+    source.setToolTip(TriggerBar::tr("Signal whose edge is the trigger event, or the set-point") +
                       QLatin1Char('\n') + source.currentText());
 }
 
@@ -91,20 +91,18 @@ void TriggerBar::buildEvent(QHBoxLayout& line) {
         line.addWidget(box);
         return box;
     };
-    m_from = addBox(tr("From"), {}, {tr("Live"), tr("Board")});
+    m_from = addBox(tr("Event in"), {}, {tr("Live"), tr("Board")});
     m_mode = addBox(tr("Mode"),
-                    tr("Auto shows something after half a second even if nothing happens; Normal waits; "
-                       "Single stops after one event"),
+                    tr("Auto: free-running without events; Normal: waits; Single: stops after one event"),
                     {tr("Auto"), tr("Normal"), tr("Single")});
     m_source = addBox(tr("Source"), {}, {});
     tellChoice(*m_source);
     m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_source->setMinimumContentsLength(SourceCharacters);
-    m_slope = addBox(tr("Slope"), tr("Which way the source passes the level"),
-                     {tr("rising"), tr("falling"), tr("either")});
-    watch(Level, makeNumberField({tr("Level"), tr("The event is where the source passes it; the line in the "
-                                                  "plot can be dragged")},
-                                 this));
+    m_slope =
+        addBox(tr("Slope"), tr("Slope of the trigger edge"), {tr("rising"), tr("falling"), tr("either")});
+    watch(Level,
+          makeNumberField({tr("Level"), tr("Trigger level; the line in the plot can be dragged")}, this));
     m_numbers[Level]->setMaximumWidth(LevelCharacters * fontMetrics().averageCharWidth());
     line.addWidget(m_numbers[Level]);
     connect(m_from, QOverload<int>::of(&QComboBox::activated), this,
@@ -122,16 +120,15 @@ void TriggerBar::buildEvent(QHBoxLayout& line) {
 
 void TriggerBar::buildSettings(FieldGrid& grid) {
     watch(Hysteresis,
-          grid.addNumber({tr("Hysteresis"),
-                          tr("So far on the other side of the level the source must have been before")}));
-    watch(Window, grid.addNumber({tr("Window"), tr("The stretch of time shown of an event")}));
-    watch(Before, grid.addNumber({tr("Before"), tr("Share of the window that lies before the event")}));
-    watch(HoldOff, grid.addNumber({tr("Hold-off"), tr("Least time from one event to the next")}));
-    m_middle = makeButton({tr("Level to the middle"),
-                           tr("Sets the level half way between what the source reaches in the view, and the "
-                              "hysteresis to a twentieth of it"),
-                           {}},
-                          this);
+          grid.addNumber({tr("Hysteresis"), tr("Distance from the level that re-arms the trigger")}));
+    watch(Window, grid.addNumber({tr("Window"), tr("Time span of the triggered view")}));
+    watch(Before, grid.addNumber({tr("Pre-trigger"), tr("Share of the window before the event")}));
+    watch(HoldOff, grid.addNumber({tr("Hold-off"), tr("Minimum time between two events")}));
+    m_middle = makeButton(
+        {tr("Set level to 50 %"),
+         tr("Set the level to the middle of the signal range in view, the hysteresis to 5 % of it"),
+         {}},
+        this);
     grid.addPlain(m_middle);
     connect(m_middle, &QPushButton::clicked, this, &TriggerBar::middleRequested);
 }
@@ -187,7 +184,7 @@ void TriggerBar::fillSources() {
         m_source->addItem(signalWords(spec.name), QString::fromStdString(spec.name));
         if (m_choice.isBoard && std::count(m_derived.begin(), m_derived.end(), spec.name) > 0) {
             setReason(*m_source, m_source->count() - 1,
-                      tr("The board does not have it: it is derived here."));
+                      tr("Not available on the device: computed in the program."));
         }
     }
     const QString source = QString::fromStdString(m_choice.source);
@@ -203,16 +200,14 @@ void TriggerBar::dressForBoard() {
     const auto unlessBoard = [this](const QString& reason) { return m_choice.isBoard ? reason : QString(); };
     const QString obstacle = m_catalogue.signals.empty() ? QString() : MonitorCapture::obstacle(m_catalogue);
     setReason(*m_from, Board, obstacle);
-    m_from->setToolTip(
-        obstacle.isEmpty()
-            ? tr("Live: in the samples that are sent to the plots. Board: the board itself waits, "
-                 "captures up to 4 signals of the plots at the rate of its loop, 4096 rows, and "
-                 "they are read then")
-            : tr("Live: in the samples that are sent to the plots. %1").arg(obstacle));
+    m_from->setToolTip(obstacle.isEmpty()
+                           ? tr("Live: searches the plotted samples. Board: the device waits and captures up "
+                                "to 4 plotted signals at its loop rate, 4096 samples")
+                           : tr("Live: searches the plotted samples. %1").arg(obstacle));
     setReason(*m_mode, static_cast<int>(control::TriggerMode::Auto),
-              unlessBoard(tr("The board waits for its event and shows nothing without one.")));
+              unlessBoard(tr("The device waits for its event and shows nothing without it.")));
     setReason(*m_slope, static_cast<int>(control::TriggerSlope::Either),
-              unlessBoard(tr("The board looks for one direction only.")));
+              unlessBoard(tr("The device detects one direction only.")));
 }
 
 void TriggerBar::dressFields() {
@@ -247,8 +242,9 @@ void TriggerBar::dressFields() {
     m_numbers[HoldOff]->setEnabled(!m_choice.isBoard);
     if (m_choice.isBoard) {
         m_numbers[Hysteresis]->setEnabled(false);
-        m_numbers[Hysteresis]->setToolTip(tr("The board has none: every passing of the level is an event."));
-        m_numbers[HoldOff]->setToolTip(tr("The board has none: it waits again once its capture is read."));
+        m_numbers[Hysteresis]->setToolTip(tr("The device has no hysteresis: each crossing is an event."));
+        m_numbers[HoldOff]->setToolTip(
+            tr("The device has no hold-off: it re-arms after its capture is read."));
     }
 }
 

@@ -51,10 +51,10 @@ void ForeignMotorNotice::forget() {
 void ForeignMotorNotice::refresh() {
     const std::optional<Finding> foreign = finding();
     setVisible(foreign.has_value());
-    m_consent->setText(tr("Apply gains of another motor here"));
-    m_consent->setToolTip(tr("They were designed for a motor that this device may not be"));
+    m_consent->setText(tr("Apply the gains of another motor"));
+    m_consent->setToolTip(tr("The gains were designed for a motor that may differ from this one"));
     m_consent->setVisible(foreign && !m_bench.session().info().isSimulated);
-    setAccessibleName(tr("Whose motor is tuned"));
+    setAccessibleName(tr("Motor that the gains are designed for"));
     if (foreign) {
         m_symbol->setPixmap(
             widgets::themedIcon(QStringLiteral("warning"), widgets::Role::Warn).pixmap(16, 16));

@@ -47,15 +47,13 @@ void LivePicture::begin(const QString& title, const QString& purpose, QWidget* c
 widgets::FigureView* LivePicture::makeView(QWidget* parent, const QString& toolTip, const QString& fileName) {
     auto* view = new widgets::FigureView(parent);
     view->setToolTip(toolTip);
-    connect(view, &widgets::FigureView::exportRequested, this, [this, view, fileName] {
-        savePictureAs(fileName, [view](const QString& path) { return view->saving(path); });
-    });
+    connect(view, &widgets::FigureView::exportRequested, this,
+            [this, view, fileName] { savePictureAs(fileName, view->taken()); });
     return view;
 }
 
-void LivePicture::savePictureAs(const QString& fileName, const PictureSaving& saving) {
-    savePicture(this, m_chooser, fileName, m_files, saving,
-                [this](const Error& error) { sayWarning(error); });
+void LivePicture::savePictureAs(const QString& fileName, const widgets::PictureSaving& taken) {
+    savePicture(this, m_chooser, fileName, m_files, taken, [this](const Error& error) { sayWarning(error); });
 }
 
 void LivePicture::addData(const QList<QWidget*>& views, const QString& toolTip, const QString& fileName) {
@@ -75,8 +73,7 @@ void LivePicture::addData(const QList<QWidget*>& views, const QString& toolTip, 
 void LivePicture::saveData(const QString& fileName) {
     const Table text = table();
     if (!text) {
-        sayWarning(
-            {ErrorCode::OutOfRange, "nothing is shown that could be saved", "wait until there is a picture"});
+        sayWarning({ErrorCode::OutOfRange, "no picture to save", "wait until a picture is shown"});
         return;
     }
     saveText(

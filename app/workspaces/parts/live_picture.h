@@ -44,7 +44,7 @@ protected:
     /// The picture; Ctrl+E saves it, at first under this name.
     widgets::FigureView* makeView(QWidget* parent, const QString& toolTip, const QString& fileName);
     /// Asks for a file for a picture that is another widget's.
-    void savePictureAs(const QString& fileName, const PictureSaving& saving);
+    void savePictureAs(const QString& fileName, const widgets::PictureSaving& taken);
     /// What the picture shows, as a table: Ctrl+Alt+E, in the menus of `views` too, at first under this name.
     void addData(const QList<QWidget*>& views, const QString& toolTip, const QString& fileName);
     /// What is said below the picture.

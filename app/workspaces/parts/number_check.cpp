@@ -33,10 +33,10 @@ Result<double> NumberCheck::take() {
 Error NumberCheck::words(const QString& text) const {
     QString remedy = m_field.problemOf(text);
     if (m_field.hasAcceptableInput()) {
-        remedy += QLatin1Char(' ') + tr("The field shows %1 again.").arg(m_field.text());
+        remedy += QLatin1Char(' ') + tr("Reset to %1.").arg(m_field.text());
     }
     return {ErrorCode::InvalidInput,
-            tr("%1: '%2' cannot be used, nothing moves.")
+            tr("%1: '%2' is not valid. No motion started.")
                 .arg(m_field.accessibleName(), text.trimmed())
                 .toStdString(),
             remedy.toStdString()};

@@ -31,77 +31,73 @@ QString degrees(double temperature_degC) {
 
 PreflightItem deviceItem(const PreflightFacts& facts) {
     if (facts.state == SessionState::Reconnecting) {
-        return {false, Words::tr("The connection is lost; the device is being looked for"),
-                Words::tr("Plug it in again or switch it on")};
+        return {false, Words::tr("Connection lost, reconnecting"), Words::tr("Plug it in or switch it on")};
     }
     if (facts.state != SessionState::Connected) {
         return {false, Words::tr("No device is connected"), Words::tr("Connect one in the Devices panel")};
     }
     if (!facts.isMotorKnown) {
-        return {false, Words::tr("Nothing is known of the motor behind this device: it has no profile here"),
-                Words::tr("Watch, record and set it by name in Signals, Record and Parameters")};
+        return {false, Words::tr("No profile for the motor of this device"),
+                Words::tr("Use it by signal and parameter name in Signals, Record and Parameters")};
     }
     if (!facts.running.isEmpty()) {
-        return {false, facts.running, Words::tr("Wait for its end or cancel it"), true};
+        return {false, facts.running, Words::tr("Wait until it ends, or cancel it"), true};
     }
     if (facts.isBusy) {
-        return {false, Words::tr("Another procedure runs"), Words::tr("Wait for its end or cancel it")};
+        return {false, Words::tr("Another procedure is running"),
+                Words::tr("Wait until it ends, or cancel it")};
     }
-    return {true, Words::tr("The device is connected and free"), {}};
+    return {true, Words::tr("Device connected and idle"), {}};
 }
 
 PreflightItem faultItem(const PreflightFacts& facts) {
     if (facts.board.fault != 0) {
         return {false, Words::tr("Fault: %1").arg(widgets::inWords(facts.board.faultText)),
-                Words::tr("Remove its cause, then re-arm on purpose in the Drive panel")};
+                Words::tr("Remove the cause, then release the stop in the Drive panel")};
     }
     if (facts.board.isStopLatched) {
         return {false, Words::tr("The stop is latched"),
-                Words::tr("Press Release, beside the state at the top")};
+                Words::tr("Press Release next to the state at the top")};
     }
     if (facts.isJustReleased) {
-        return {false, Words::tr("The stop was released a moment ago"), Words::tr("Look, then start")};
+        return {false, Words::tr("The stop was released just now"), Words::tr("Check, then start")};
     }
     if (facts.isBusy) {
         return {true, Words::tr("No fault, not stopped"), {}}; // armed or not is the procedure's
     }
     if (facts.board.isArmed) {
-        return {false, Words::tr("The device is armed by hand"), Words::tr("Disarm it first")};
+        return {false, Words::tr("The device is armed manually"), Words::tr("Disarm it first")};
     }
     return {true, Words::tr("No fault, not stopped, not armed"), {}};
 }
 
 PreflightItem temperatureItem(const PreflightFacts& facts) {
     if (!facts.temperature_degC) {
-        return {true, Words::tr("Coil temperature not known yet; the procedure measures it first"), {}};
+        return {true, Words::tr("Coil temperature unknown; it is measured first"), {}};
     }
     const QString now = Words::tr("Coils %1 now").arg(degrees(*facts.temperature_degC));
     const double warmest_degC = facts.forecast_degC.value_or(*facts.temperature_degC);
     const QString both =
-        facts.forecast_degC
-            ? Words::tr("%1, up to %2 expected during the run").arg(now, degrees(warmest_degC))
-            : now;
+        facts.forecast_degC ? Words::tr("%1, up to %2 expected").arg(now, degrees(warmest_degC)) : now;
     if (warmest_degC < facts.refuse_degC) {
         return {true, both, {}};
     }
     if (facts.coldForecast_degC.value_or(warmest_degC) < facts.refuse_degC) {
         // Procedures wait before each part that would become too warm.
-        return {
-            true,
-            Words::tr("%1; the run waits where they would come near %2").arg(now, degrees(facts.refuse_degC)),
-            {}};
+        return {true, Words::tr("%1; the run pauses near %2").arg(now, degrees(facts.refuse_degC)), {}};
     }
-    return {
-        false, both,
-        Words::tr("Use less current or fewer steps; %1 must not be reached").arg(degrees(facts.refuse_degC))};
+    return {false, both,
+            Words::tr("Use less current or fewer steps to stay below %1").arg(degrees(facts.refuse_degC))};
 }
 
 PreflightItem motionItem(const PreflightFacts& facts) {
     if (facts.isSimulated) {
-        return {true, Words::tr("Simulated: nothing can be hit"), {}};
+        return {true, Words::tr("Simulated: no collision possible"), {}};
     }
-    return {facts.hasConsent, Words::tr("The rotor is free to turn and nobody touches it"),
-            Words::tr("Look, then say so below")};
+    return {facts.hasConsent,
+            facts.hasSeveralAxes ? Words::tr("Every axis is free to move and clear of people")
+                                 : Words::tr("Rotor is free to turn and clear of people"),
+            Words::tr("Check, then confirm below")};
 }
 
 QIcon iconOf(const PreflightItem& item) {
@@ -116,8 +112,10 @@ std::vector<PreflightItem> preflightItems(const PreflightFacts& facts) {
     std::vector<PreflightItem> items = {deviceItem(facts)};
     if (facts.state == SessionState::Connected && facts.isMotorKnown) {
         items.push_back(faultItem(facts));
-        items.push_back(temperatureItem(facts));
-        items.push_back(motionItem(facts));
+        if (facts.isDriven) {
+            items.push_back(temperatureItem(facts));
+            items.push_back(motionItem(facts));
+        }
     }
     return items;
 }
@@ -173,10 +171,13 @@ PreflightFacts Preflight::facts() const {
     facts.state = session.state();
     facts.board = session.report().board;
     facts.isJustReleased = m_bench.stopLatch().isJustReleased();
-    facts.isMotorKnown = session.catalogue().hasProcedure("identify");
+    facts.isMotorKnown =
+        session.catalogue().hasProcedure("identify") || session.catalogue().hasProcedure("calibrate");
+    facts.isDriven = session.catalogue().findParameter("hb.arm") != nullptr;
     facts.isBusy = !session.procedure().isEmpty();
     facts.running = facts.isBusy ? m_running : QString();
     facts.isSimulated = session.info().isSimulated;
+    facts.hasSeveralAxes = session.catalogue().axes.size() > 1;
     facts.hasConsent = m_consent->isChecked();
     facts.temperature_degC = m_temperature_degC;
     if (m_temperature_degC && m_forecast) {
@@ -204,9 +205,11 @@ void Preflight::refresh() {
         m_remedy = m_remedy.isEmpty() && !item.isPassed ? item.remedy : m_remedy;
     }
     m_isPassed = m_remedy.isEmpty();
-    m_consent->setVisible(now.state == SessionState::Connected && !now.isSimulated && now.isMotorKnown);
-    m_consent->setText(tr("The rotor may turn now"));
-    m_consent->setToolTip(tr("A real motor moves only with your consent"));
+    m_consent->setVisible(now.state == SessionState::Connected && !now.isSimulated && now.isMotorKnown &&
+                          now.isDriven);
+    m_consent->setText(now.hasSeveralAxes ? tr("The axes may move now") : tr("The rotor may turn now"));
+    m_consent->setToolTip(now.hasSeveralAxes ? tr("A real actuator moves only after your confirmation")
+                                             : tr("A real motor moves only after your confirmation"));
     setAccessibleName(tr("Checks before the start"));
     if (m_remedy != remedyBefore) {
         Q_EMIT changed();
@@ -219,10 +222,9 @@ void Preflight::readTemperature() {
         return;
     }
     std::vector<std::string> names;
-    for (const char* role : {"coil_temperature.a", "coil_temperature.b"}) {
-        const std::string name = session.catalogue().signalForRole(role);
-        if (!name.empty()) {
-            names.push_back(name);
+    for (const SignalSpec& spec : session.catalogue().signals) {
+        if (spec.role.starts_with("coil_temperature.")) {
+            names.push_back(spec.name);
         }
     }
     if (names.empty()) {

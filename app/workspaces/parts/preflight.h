@@ -21,9 +21,11 @@ struct PreflightFacts {
     devices::DeviceState board;
     bool isJustReleased = false; ///< the stop, so lately that a second click may mean the release
     bool isMotorKnown = true;    ///< the device has a profile with procedures
+    bool isDriven = true;        ///< it can be armed; else nothing warms up or moves by itself
     bool isBusy = false;         ///< a procedure runs
     QString running;             ///< what runs, when it is that of this list itself; empty otherwise
     bool isSimulated = false;
+    bool hasSeveralAxes = false;
     bool hasConsent = false;                 ///< the user says that the rotor is free to turn
     std::optional<double> temperature_degC;  ///< warmest coil
     std::optional<double> forecast_degC;     ///< warmest during the run, where it can be said

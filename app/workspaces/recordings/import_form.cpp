@@ -29,7 +29,7 @@ QString codeOf(const QComboBox& box) {
 /// The first choice: what the program found by itself.
 void sayFound(QComboBox& box, const std::optional<std::string>& code) {
     const int found = code ? box.findData(QString::fromStdString(*code), Qt::UserRole) : -1;
-    box.setItemText(0, found > 0 ? ImportForm::tr("as found: %1").arg(box.itemText(found))
+    box.setItemText(0, found > 0 ? ImportForm::tr("detected: %1").arg(box.itemText(found))
                                  : ImportForm::tr("not certain"));
 }
 
@@ -44,20 +44,19 @@ ImportForm::ImportForm(QWidget* parent) : QWidget(parent) {
     column->setContentsMargins(0, 0, 0, 0);
     auto* grid = new FieldGrid(GridColumns, this);
     column->addWidget(grid);
-    m_separator = addChoice(*grid, tr("Separator"), tr("What stands between the columns"),
+    m_separator = addChoice(*grid, tr("Separator"), tr("Character between the columns"),
                             {{tr("comma"), ","},
                              {tr("semicolon"), ";"},
-                             {tr("tabulator"), "tab"},
-                             {tr("blank"), "space"},
+                             {tr("tab"), "tab"},
+                             {tr("space"), "space"},
                              {tr("none, one column"), "none"}});
-    m_decimal = addChoice(*grid, tr("Decimal sign"), tr("What stands before the decimals of a number"),
+    m_decimal = addChoice(*grid, tr("Decimal sign"), tr("Character before the decimals of a number"),
                           {{tr("point"), "."}, {tr("comma"), ","}});
-    m_header = addChoice(*grid, tr("Header"), tr("What stands above the numbers"),
+    m_header = addChoice(*grid, tr("Header"), tr("Lines above the numbers"),
                          {{tr("none"), "0"}, {tr("names"), "1"}, {tr("names, then units"), "units"}});
-    m_time = addChoice(*grid, tr("Time"),
-                       tr("The column of the time, or how many rows were sampled in a second"), {});
-    m_rate = grid->addNumber({tr("Rows a second"), tr("How many rows were sampled in a second"),
-                              QStringLiteral("Hz"), 3, 0.0, HighestRate_Hz, 100.0});
+    m_time = addChoice(*grid, tr("Time"), tr("Time column, or sampling rate in rows per second"), {});
+    m_rate = grid->addNumber({tr("Sample rate"), tr("Sampling rate in rows per second"), QStringLiteral("Hz"),
+                              3, 0.0, HighestRate_Hz, 100.0});
     connect(m_rate, &widgets::QuantityEdit::edited, this, &ImportForm::changed);
     reset();
 }
@@ -115,7 +114,7 @@ void ImportForm::showColumns(const devices::CsvPlan& plan) {
         const QString word = wordOf(plan.columns, i);
         m_time->addItem(tr("column %1").arg(word), word);
     }
-    m_time->addItem(tr("none: rows a second"), ByRate);
+    m_time->addItem(tr("none: use a fixed sampling rate"), ByRate);
     if (chosen != ByRate && m_time->findData(chosen) < 0) { // it is not yet known which columns there are
         m_time->addItem(tr("column %1").arg(chosen), chosen);
     }
@@ -172,7 +171,7 @@ void ImportForm::take(const devices::CsvQuestion::Answer& answer) {
 
 QString ImportForm::obstacle() const {
     return codeOf(*m_time) == ByRate && m_rate->value() <= 0.0
-               ? tr("Say how many rows were sampled in a second.")
+               ? tr("Enter the sampling rate in rows per second.")
                : QString();
 }
 

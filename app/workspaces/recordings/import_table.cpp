@@ -66,8 +66,9 @@ void dress(QTableWidgetItem& cell, const QString& label, bool isSaid, const QStr
     QFont font = cell.font();
     font.setBold(isSaid);
     cell.setFont(font);
-    cell.setToolTip(isSaid ? ImportTable::tr("You said this; emptied (Delete), it is as found in the table")
-                           : toolTip);
+    cell.setToolTip(isSaid
+                        ? ImportTable::tr("Set by you. Clear it (Delete) to use the value found in the table")
+                        : toolTip);
     cell.setData(LabelRole, label);
     cell.setData(Qt::AccessibleTextRole, QStringLiteral("%1: %2").arg(label, cell.text()));
 }
@@ -84,8 +85,8 @@ void setEditable(QTableWidgetItem& cell, bool isEditable) {
 } // namespace
 
 ImportTable::ImportTable(QWidget* parent) : QTableWidget(parent) {
-    setAccessibleName(tr("First rows as they would be read"));
-    setToolTip(tr("The first rows in the units of the recording; above each what its column becomes"));
+    setAccessibleName(tr("Preview of the first rows"));
+    setToolTip(tr("First rows in the units of the recording, with the signal name of each column above"));
     setEditTriggers(DoubleClicked | EditKeyPressed | AnyKeyPressed);
     setTabKeyNavigation(false);
     setItemDelegate(new SayingDelegate(this));
@@ -171,12 +172,12 @@ void ImportTable::showColumn(std::size_t index) {
         showCell(NameRow, at, isTime ? tr("time") : chosen(said.name, QString::fromStdString(column.signal)),
                  Qt::AlignLeft);
     dress(name, tr("Name of column %1").arg(word), !said.name.isEmpty(),
-          isTime ? tr("The column of the time is chosen above")
-                 : tr("What the recording calls this column: write a name, F2 changes it"));
+          isTime ? tr("Choose the time column above")
+                 : tr("Signal name of this column in the recording (F2 edits)"));
     QTableWidgetItem& unit =
         showCell(UnitRow, at, chosen(said.unit, QString::fromStdString(column.written)), Qt::AlignLeft);
     dress(unit, tr("Unit of column %1").arg(word), !said.unit.isEmpty(),
-          tr("What its numbers are written in, for example rpm or mA; a hyphen: no unit"));
+          tr("Unit of the numbers, e.g. rpm or mA; hyphen: no unit"));
     setEditable(name, !isTime);
     setEditable(unit, true);
 }

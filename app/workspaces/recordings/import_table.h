@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workspaces/recordings/import_words.h"
+#include "app/workspaces/recordings/import_text.h"
 
 #include <QTableWidget>
 

@@ -4,7 +4,7 @@
 #include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/recordings/import_form.h"
 #include "app/workspaces/recordings/import_table.h"
-#include "app/workspaces/recordings/import_words.h"
+#include "app/workspaces/recordings/import_text.h"
 #include "devices/formats/recording_file.h"
 #include "widgets/controls/elided_label.h"
 #include "widgets/controls/message_bar.h"
@@ -79,13 +79,13 @@ ImportView::~ImportView() {
 }
 
 void ImportView::buildFile(QVBoxLayout& column) {
-    m_choose = makeButton({tr("Choose table…"),
-                           tr("A table that another program wrote; the window's key for it is Ctrl+I"),
-                           QStringLiteral("open")},
-                          this);
+    m_choose =
+        makeButton({tr("Choose file…"), tr("Choose a data file of another program (Ctrl+I in the window)"),
+                    QStringLiteral("open")},
+                   this);
     connect(m_choose, &QPushButton::clicked, this, &ImportView::choose);
     m_file = new widgets::ElidedLabel(FileCharacters, this);
-    m_file->setAccessibleName(tr("Table that is imported"));
+    m_file->setAccessibleName(tr("File to import"));
     auto* row = new QHBoxLayout;
     row->addWidget(m_choose);
     row->addWidget(m_file, 1);
@@ -95,13 +95,14 @@ void ImportView::buildFile(QVBoxLayout& column) {
 void ImportView::buildEnd(QVBoxLayout& column) {
     m_name = new QLineEdit(this);
     m_name->setAccessibleName(tr("Name of the recording"));
-    m_name->setToolTip(tr("The recording gets this name, in the folder of the recordings"));
+    m_name->setToolTip(tr("Name of the new recording in the recordings folder"));
     m_name->setMinimumWidth(NameCharacters * fontMetrics().averageCharWidth());
     auto* label = new QLabel(tr("Name"), this);
     label->setBuddy(m_name);
-    m_import = makeButton({tr("Import"), tr("Reads all rows, writes the recording and shows it"), {}}, this);
+    m_import =
+        makeButton({tr("Import"), tr("Read all rows, save them as a recording and show it"), {}}, this);
     m_reason = makeNote(this);
-    m_reason->setAccessibleName(tr("What is missing for the import"));
+    m_reason->setAccessibleName(tr("Missing for the import"));
     m_running = new widgets::ProgressRow(this);
     m_running->hide();
     auto* row = new QHBoxLayout;
@@ -125,7 +126,7 @@ bool ImportView::choose() {
     const QString path =
         m_chooser.open
             ? m_chooser.open(this,
-                             {tr("Choose table"), {}, tr("Table (*.csv *.txt *.tsv *.dat);;All files (*)")})
+                             {tr("Choose file"), {}, tr("Table (*.csv *.txt *.tsv *.dat);;All files (*)")})
             : QString();
     if (!path.isEmpty()) {
         begin(path);
@@ -223,24 +224,24 @@ QString ImportView::target() const {
 QString ImportView::obstacle() const {
     const QString name = m_name->text().trimmed();
     if (m_path.isEmpty()) {
-        return tr("Choose a table first. What of it is not certain is asked here.");
+        return tr("Choose a file first. Uncertain settings are asked for here.");
     }
     if (m_isLooking) {
-        return tr("The table is being read.");
+        return tr("Reading the file.");
     }
     if (!m_look) {
-        return tr("The table cannot be read like this; above stands why.");
+        return tr("The file cannot be read with these settings; see the cause above.");
     }
     if (const QString missing = m_form->obstacle(); !missing.isEmpty()) {
         return missing;
     }
     if (const auto& questions = m_look->plan.questions; !questions.empty()) {
-        return tr("To be answered above: %1.").arg(questionWords(questions.front()));
+        return tr("Answer above: %1.").arg(questionWords(questions.front()));
     }
     if (name.isEmpty() || name.contains(QLatin1Char('/')) || name.contains(QLatin1Char('\\'))) {
-        return tr("The recording needs a name, which is no folder.");
+        return tr("Enter a name without a folder for the recording.");
     }
-    return QFileInfo::exists(target()) ? tr("There is a recording of this name already.") : QString();
+    return QFileInfo::exists(target()) ? tr("A recording of this name exists already.") : QString();
 }
 
 void ImportView::refreshEnd() {

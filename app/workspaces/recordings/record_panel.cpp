@@ -26,7 +26,6 @@ namespace {
 
 /// Up to 1 kHz all divide that of the board; from there on what it has next.
 constexpr int Rates_Hz[] = {10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000};
-constexpr int DefaultRate = 3;
 constexpr int MomentLines = 2;
 
 /// "312", or "312 (2 gaps, 3.1 s)"
@@ -41,10 +40,9 @@ QString missingText(const RecorderStatus& status) {
 
 /// What the disk was too slow for is told apart from what the link lost.
 QString droppedText(const RecorderStatus& status) {
-    return status.droppedRows == 0
-               ? QString()
-               : QLatin1Char(' ') + RecordPanel::tr("The disk did not keep up with %1 of them.")
-                                        .arg(widgets::countText(status.droppedRows));
+    return status.droppedRows == 0 ? QString()
+                                   : QLatin1Char(' ') + RecordPanel::tr("%1 of them because of a slow disk.")
+                                                            .arg(widgets::countText(status.droppedRows));
 }
 
 } // namespace
@@ -65,8 +63,8 @@ RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     });
     connect(&recording, &RecordingControl::rowsDropped, this, [this] {
         m_message->showMessage({widgets::Severity::Error,
-                                tr("The disk does not keep up: rows are missing."),
-                                tr("Record to another disk or fewer rows per second."),
+                                tr("Disk too slow: samples are lost."),
+                                tr("Use another disk or a lower sample rate."),
                                 {}});
     });
     connect(&m_bench, &Workbench::deviceChanged, this, &RecordPanel::refresh);
@@ -79,21 +77,22 @@ void RecordPanel::buildTarget(QVBoxLayout& column) {
     auto* rows = new QFormLayout;
     m_folder = new QLineEdit(QDir::toNativeSeparators(m_bench.recording().folder()), this);
     m_folder->setAccessibleName(tr("Folder of recordings"));
-    m_folder->setToolTip(tr("Made when it does not exist"));
+    m_folder->setToolTip(tr("Created if it does not exist"));
     m_name = new QLineEdit(this);
     m_name->setAccessibleName(tr("Name of the recording"));
     m_rate = new QComboBox(this);
-    m_rate->setAccessibleName(tr("Rows per second"));
-    m_rate->setToolTip(tr("At most as many as the device and its link carry"));
+    m_rate->setAccessibleName(tr("Sample rate"));
+    m_rate->setToolTip(tr("Live rate: as the plots; limited by device and link"));
+    m_rate->addItem(tr("live rate"), 0);
     for (const int rate_Hz : Rates_Hz) {
         m_rate->addItem(tr("%1 Hz").arg(rate_Hz), rate_Hz);
     }
     const int kept = m_rate->findData(static_cast<int>(std::lround(m_bench.recording().rate_Hz())));
-    m_rate->setCurrentIndex(kept >= 0 ? kept : DefaultRate);
+    m_rate->setCurrentIndex(std::max(kept, 0));
     m_bench.recording().setRate_Hz(m_rate->currentData().toDouble()); // what is shown is what is recorded
     rows->addRow(tr("Folder"), m_folder);
     rows->addRow(tr("Name"), m_name);
-    rows->addRow(tr("Rows"), m_rate);
+    rows->addRow(tr("Sample rate"), m_rate);
     column.addLayout(rows);
     // At once, so that the window's Record action goes by them too.
     RecordingControl& recording = m_bench.recording();
@@ -113,35 +112,33 @@ void RecordPanel::showMask() {
     const bool isDefault = mask == QLatin1String(DefaultNameMask);
     m_name->setPlaceholderText(isDefault ? tr("device and date") : mask);
     const QString toolTip = mask.contains(QStringLiteral("{name}"))
-                                ? tr("What {name} is in the name mask %1 (File > Preferences)")
-                                : tr("Without ending; empty: by the name mask %1 (File > Preferences)");
+                                ? tr("Value of {name} in the name mask %1 (File > Preferences)")
+                                : tr("Without file extension; empty: name mask %1 (File > Preferences)");
     m_name->setToolTip(toolTip.arg(mask));
 }
 
 /// When the recording begins and ends.
 void RecordPanel::buildMoment(QVBoxLayout& column) {
     auto* rows = new QFormLayout;
-    m_before =
-        makeNumberField({tr("Time kept before the start"),
-                         tr("So much from before the start is kept in memory and goes in front; 0: nothing"),
-                         QStringLiteral("s"), 1, 0.0, LongestBefore_s, 1.0},
-                        this);
+    m_before = makeNumberField({tr("Pre-trigger time"),
+                                tr("Time before the start that is included in the recording; 0: none"),
+                                QStringLiteral("s"), 1, 0.0, LongestBefore_s, 1.0},
+                               this);
     m_start = new QComboBox(this);
-    m_start->addItems({tr("by hand"), tr("at the trigger")});
+    m_start->addItems({tr("manually"), tr("at the trigger")});
     m_start->setAccessibleName(tr("Start of the recording"));
-    m_start->setToolTip(
-        tr("At the trigger: Ctrl+R waits for the event that the Monitor's trigger is set to (T in the "
-           "plots shows it)"));
-    m_after = makeNumberField({tr("Time after the trigger"),
-                               tr("The recording ends by itself so long after the event; 0: by hand"),
+    m_start->setToolTip(tr(
+        "At the trigger: Ctrl+R waits for the Monitor's trigger event (T in the plots shows the trigger)"));
+    m_after = makeNumberField({tr("Post-trigger time"),
+                               tr("The recording stops this long after the event; 0: manually"),
                                QStringLiteral("s"), 1, 0.0, LongestAfter_s, 1.0},
                               this);
-    rows->addRow(tr("Before"), m_before);
+    rows->addRow(tr("Pre-trigger"), m_before);
     rows->addRow(tr("Start"), m_start);
-    rows->addRow(tr("After"), m_after);
+    rows->addRow(tr("Post-trigger"), m_after);
     column.addLayout(rows);
     m_moment = makeNote(this);
-    m_moment->setAccessibleName(tr("What the recording waits for"));
+    m_moment->setAccessibleName(tr("Trigger event of the recording"));
     reserveLines(*m_moment, MomentLines);
     column.addWidget(m_moment);
     RecordingControl& recording = m_bench.recording();
@@ -173,7 +170,7 @@ void RecordPanel::showMoment() {
     bool isMissing = false;
     if (recording.isWaiting()) {
         isMissing = !trigger.hasSamples();
-        words = isMissing ? tr("No samples of what the trigger waits for come.")
+        words = isMissing ? tr("No samples of the trigger signal.")
                           : tr("Waiting until %1.").arg(trigger.words());
     } else if (recording.isAtEvent() && !recording.isRecording()) {
         words = tr("Begins when %1.").arg(trigger.words());
@@ -205,19 +202,18 @@ void RecordPanel::buildState(QVBoxLayout& column) {
         state->addRow(title, label);
         return label;
     };
-    m_elapsed = addFigure(tr("Time"), tr("Device time from the first row to the last"));
-    m_rows = addFigure(tr("Rows written"), tr("On the disk"));
-    m_missing = addFigure(tr("Rows missing"),
-                          tr("Lost on the link, or the disk did not keep up; marked in the file"));
+    m_elapsed = addFigure(tr("Time"), tr("Device time from the first sample to the last"));
+    m_rows = addFigure(tr("Samples written"), tr("On the disk"));
+    m_missing = addFigure(tr("Samples lost"), tr("Lost on the link or by a slow disk; marked in the file"));
     column.addLayout(state);
     auto* marker = new QHBoxLayout;
     m_note = new QLineEdit(this);
     m_note->setObjectName(QStringLiteral("markerNote"));
     m_note->setAccessibleName(tr("Note of the marker"));
     m_note->setPlaceholderText(tr("note"));
-    m_note->setToolTip(tr("What the marker says (Enter marks)"));
+    m_note->setToolTip(tr("Text of the marker (Enter adds it)"));
     m_mark = makeButton(
-        {tr("Mark"), tr("Marks this moment in the recording (Enter in the note)"), QStringLiteral("note")},
+        {tr("Add marker"), tr("Add a marker at this time (Enter in the note)"), QStringLiteral("note")},
         this);
     marker->addWidget(m_note, 1);
     marker->addWidget(m_mark);
@@ -263,14 +259,14 @@ void RecordPanel::refresh() {
     const RecorderStatus status = recording.status();
     const bool isWaiting = recording.isWaiting();
     m_record->setEnabled(isRecording || isConnected);
-    m_record->setText(isRecording             ? tr("End the recording")
-                      : isWaiting             ? tr("End the wait")
+    m_record->setText(isRecording             ? tr("Stop recording")
+                      : isWaiting             ? tr("Cancel the wait")
                       : recording.isAtEvent() ? tr("Wait for the trigger")
                                               : tr("Start recording"));
-    m_record->setToolTip(isRecording             ? tr("Completes the file (Ctrl+R)")
-                         : isWaiting             ? tr("Nothing is recorded (Ctrl+R)")
-                         : recording.isAtEvent() ? tr("Records from the trigger's next event on (Ctrl+R)")
-                                                 : tr("Writes what is measured to a file (Ctrl+R)"));
+    m_record->setToolTip(isRecording             ? tr("Stop and complete the file (Ctrl+R)")
+                         : isWaiting             ? tr("Cancel without recording (Ctrl+R)")
+                         : recording.isAtEvent() ? tr("Record from the next trigger event on (Ctrl+R)")
+                                                 : tr("Record the measured signals to a file (Ctrl+R)"));
     for (QWidget* target : std::initializer_list<QWidget*>{m_folder, m_name, m_rate, m_before, m_start}) {
         target->setEnabled(!isRecording && !isWaiting);
     }
@@ -299,8 +295,9 @@ void RecordPanel::onFinished(const QString& path, const RecorderStatus& status) 
         {severity,
          tr("%Ln row(s) in %1", nullptr, rows).arg(QDir::toNativeSeparators(path)),
          status.gaps > 0 || status.droppedRows > 0
-             ? tr("Missing: %1; the sidecar says where.").arg(missingText(status)) + droppedText(status)
-             : tr("What was measured, with its units; the sidecar beside it has the rest."),
+             ? tr("Lost: %1; positions in the .meta.json file.").arg(missingText(status)) +
+                   droppedText(status)
+             : tr("Data file with units; settings and markers are in the .meta.json file beside it."),
          {}});
 }
 

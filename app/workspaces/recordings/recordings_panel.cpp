@@ -98,11 +98,11 @@ void RecordingsPanel::buildSearch(QVBoxLayout& column) {
     m_search = new QLineEdit(this);
     m_search->setAccessibleName(tr("Search recordings"));
     m_search->setPlaceholderText(tr("Search name, device, date, signals, tags, notes"));
-    m_search->setToolTip(tr("Every word must occur somewhere (Ctrl+F)"));
+    m_search->setToolTip(tr("All words must occur (Ctrl+F)"));
     m_search->setClearButtonEnabled(true);
     connect(&addKey("Ctrl+F"), &QAction::triggered, m_search,
             [this] { m_search->setFocus(Qt::ShortcutFocusReason); });
-    QPushButton* again = makeButton({tr("Refresh"), tr("Looks into the folder again (F5)"), {}}, this);
+    QPushButton* again = makeButton({tr("Refresh"), tr("Read the folder again (F5)"), {}}, this);
     connect(&addKey("F5"), &QAction::triggered, this, &RecordingsPanel::refresh);
     connect(again, &QPushButton::clicked, this, &RecordingsPanel::refresh);
     connect(m_search, &QLineEdit::textChanged, &m_filter, &RecordingsFilterModel::setWords);
@@ -117,7 +117,7 @@ void RecordingsPanel::buildTable() {
     m_filter.setSortRole(RecordingsTableModel::SortRole);
     m_table = new QTableView(this);
     m_table->setAccessibleName(tr("Recordings"));
-    m_table->setToolTip(tr("Enter opens the selected recording; several are laid over each other"));
+    m_table->setToolTip(tr("Enter opens the selected recording; several are overlaid"));
     m_table->setModel(&m_filter);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -137,29 +137,24 @@ void RecordingsPanel::buildTable() {
 }
 
 void RecordingsPanel::buildActions(QVBoxLayout& column) {
-    m_open = makeButton(
-        {tr("Open"),
-         tr("Shows all of the recording in the panels at once (Enter). The device that is connected is left; "
-            "not while it is armed, is recorded or works"),
-         {}},
-        this);
-    m_play = makeButton({tr("Play"),
-                         tr("Plays the recording in the panels, as if its device were connected "
-                            "(Ctrl+Return). The device that "
-                            "is connected is left; not while it is armed, is recorded or works"),
+    m_open = makeButton({tr("Open"),
+                         tr("Show the whole recording in the panels (Enter). Disconnects the device; not "
+                            "available while it is armed, recording or busy"),
+                         {}},
+                        this);
+    m_play = makeButton({tr("Replay"),
+                         tr("Replay the recording as a live device (Ctrl+Return). Disconnects the device; "
+                            "not available while it is armed, recording or busy"),
                          {}},
                         this);
     connect(&addKey("Ctrl+Return"), &QAction::triggered, this, &RecordingsPanel::play);
-    m_from =
-        makeNumberField({tr("Begin at"), tr("Time of the recording at which it is played; Enter goes there"),
-                         QStringLiteral("s"), 2, 0.0, LongestRecording_s, 1.0},
-                        this);
+    m_from = makeNumberField({tr("Start at"), tr("Start time of the replay; Enter jumps there"),
+                              QStringLiteral("s"), 2, 0.0, LongestRecording_s, 1.0},
+                             this);
     m_whatIf = makeButton(
-        {tr("What if"), tr("Shows in Tune what the gains proposed there would have made of this move"), {}},
-        this);
-    m_recover =
-        makeButton({tr("Recover"), tr("Makes a recording of what an interrupted program left"), {}}, this);
-    auto* label = new QLabel(tr("Begin at"), this);
+        {tr("What-if"), tr("Show in Tune how this move would run with the proposed gains"), {}}, this);
+    m_recover = makeButton({tr("Recover"), tr("Recover an interrupted recording"), {}}, this);
+    auto* label = new QLabel(tr("Start at"), this);
     label->setBuddy(m_from);
     auto* row = new QHBoxLayout;
     row->addWidget(m_open);
@@ -206,11 +201,11 @@ QWidget* RecordingsPanel::buildWords(QWidget* parent) {
     m_tags = new QLineEdit(page);
     m_tags->setAccessibleName(tr("Tags of the recording"));
     m_tags->setPlaceholderText(tr("Tags, with commas between them"));
-    m_tags->setToolTip(tr("Words to find it again; kept in its sidecar"));
+    m_tags->setToolTip(tr("Search words, saved in the .meta.json file"));
     m_notes = new QPlainTextEdit(page);
     m_notes->setAccessibleName(tr("Notes on the recording"));
     m_notes->setPlaceholderText(tr("Notes on this recording"));
-    m_notes->setToolTip(tr("Kept in its sidecar"));
+    m_notes->setToolTip(tr("Saved in the .meta.json file"));
     m_notes->setTabChangesFocus(true);
     column->addWidget(m_tags);
     column->addWidget(m_notes, 1);
@@ -255,7 +250,7 @@ void RecordingsPanel::take(Folder folder) {
     m_table->setColumnWidth(Last, m_table->horizontalHeader()->sectionSizeHint(Last));
     m_empty->setVisible(m_model.rowCount() == 0);
     m_table->setVisible(m_model.rowCount() > 0);
-    m_empty->setText(tr("No recordings in %1 yet. Record data (Ctrl+R) makes one.")
+    m_empty->setText(tr("No recordings in %1 yet. To make one: Record data (Ctrl+R).")
                          .arg(QDir::toNativeSeparators(m_bench.recording().folder())));
     recoverAll();
     refreshActions();

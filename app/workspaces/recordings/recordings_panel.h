@@ -42,6 +42,8 @@ public:
     void setFileChooser(FileChooser chooser);
     /// Asks for a table of another program and shows how it would be read.
     void importTable();
+    /// Shows a recording; a table of another program first as it would be read.
+    void open(const QString& path) { openEntry(path); }
 
 Q_SIGNALS:
     void played();                             ///< or opened: whoever shows signals comes to the front

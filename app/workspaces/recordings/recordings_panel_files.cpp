@@ -49,8 +49,8 @@ void RecordingsPanel::openEntry(const QString& path) {
                     m_import->begin(path);
                     m_message->showMessage(
                         {widgets::Severity::Information,
-                         tr("This table is of another program: look below how it is read."),
-                         tr("Import makes a recording of it; the table stays as it is."),
+                         tr("This table is from another program. Check below how it is read."),
+                         tr("Import creates a recording; the table is not changed."),
                          {}});
                 });
 }
@@ -107,13 +107,13 @@ void RecordingsPanel::recover(const QString& path) {
                 tr("An interrupted recording was recovered: %1 s in %2")
                     .arg(widgets::fixedText(done->duration_s, 2), QDir::toNativeSeparators(done->path));
             QString lost = done->lostOctets == 0
-                               ? tr("Nothing that was written is lost.")
-                               : tr("Lost: %1 octets at its end or damaged.")
+                               ? tr("All written data were recovered.")
+                               : tr("Lost: %1 bytes, damaged or at the end.")
                                      .arg(widgets::countText(static_cast<qulonglong>(done->lostOctets)));
             if (!done->keptOriginal.isEmpty()) {
                 lost +=
                     QLatin1Char(' ') +
-                    tr("The damaged file is kept as %1.").arg(QDir::toNativeSeparators(done->keptOriginal));
+                    tr("The damaged file was saved as %1.").arg(QDir::toNativeSeparators(done->keptOriginal));
             }
             m_message->showMessage({widgets::Severity::Information, text, lost, {}});
             m_bench.session().message(MessageLevel::Info, tr("recording"), text + QLatin1String(". ") + lost);

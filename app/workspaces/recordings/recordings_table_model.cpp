@@ -2,6 +2,7 @@
 
 #include "widgets/controls/progress_row.h"
 #include "widgets/language/display_units.h"
+#include "widgets/language/local_time.h"
 
 #include <QLocale>
 
@@ -36,7 +37,7 @@ QString text(const RecordingEntry& entry, int column) {
     case RecordingsTableModel::Name:
         return entry.name;
     case RecordingsTableModel::Date:
-        return QLocale().toString(entry.date.toLocalTime(), QLocale::ShortFormat);
+        return widgets::localTimeText(entry.date);
     case RecordingsTableModel::Length:
         return entry.duration_s ? widgets::durationText(*entry.duration_s) : QString();
     case RecordingsTableModel::Device:

@@ -66,8 +66,8 @@ QString driftWords(const std::optional<Drift>& drift) {
         return {};
     }
     return drift->isSignificant
-               ? ResultHistoryView::tr("Against the first of this device: more than both intervals explain")
-               : ResultHistoryView::tr("Against the first of this device: within the intervals");
+               ? ResultHistoryView::tr("Drift since the first result of this device: outside both intervals")
+               : ResultHistoryView::tr("Drift since the first result of this device: within the intervals");
 }
 
 /// Virtual time begins in 1970 and says nothing.
@@ -85,9 +85,8 @@ QString deviceText(const std::optional<devices::DeviceInfo>& device) {
 
 ResultHistoryView::ResultHistoryView(QWidget* parent) : QTableWidget(parent) {
     setAccessibleName(tr("Identified values over time"));
-    setToolTip(
-        tr("The identification files (.json) of the folder, oldest first, with 95 % intervals; in brackets "
-           "the drift since the first of the same device"));
+    setToolTip(tr("Identification files (.json) of the folder, oldest first, with 95 % intervals; in "
+                  "brackets the drift since the first result of the same device"));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setTabKeyNavigation(false);

@@ -87,7 +87,7 @@ RunOverlay::~RunOverlay() {
 void RunOverlay::buildValues() {
     m_values = new QTableWidget(0, 2, this);
     m_values->setAccessibleName(tr("Values at the cursor"));
-    m_values->setToolTip(tr("What each recording has at the time of the cursor"));
+    m_values->setToolTip(tr("Values of each recording at the cursor"));
     m_values->setHorizontalHeaderLabels({tr("Recording"), tr("At the cursor")});
     m_values->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_values->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
@@ -99,11 +99,11 @@ void RunOverlay::buildValues() {
 
 void RunOverlay::buildChoices() {
     m_signal = new QComboBox(this);
-    m_signal->setToolTip(tr("Signals that all selected recordings have"));
+    m_signal->setToolTip(tr("Signals common to all selected recordings"));
     m_align = new QComboBox(this);
-    m_align->setToolTip(
-        tr("What is at time zero: the first row, the trigger, or a marker that all of them have"));
-    m_cursor = makeNumberField({tr("Time of the cursor"), tr("The line in the plot and the values beside it"),
+    m_align->setToolTip(tr("Time zero: first sample, trigger, or a common marker"));
+    m_cursor = makeNumberField({tr("Time of the cursor"),
+                                tr("Position of the cursor line and of the values beside it"),
                                 QStringLiteral("s"), 3, -LongestCursor_s, LongestCursor_s, 0.1},
                                this);
     auto* grid = new FieldGrid(4, this);
@@ -111,11 +111,11 @@ void RunOverlay::buildChoices() {
     grid->addTitled(tr("Aligned at"), m_align->toolTip(), m_align);
     grid->addTitled(tr("Cursor"), m_cursor->toolTip(), m_cursor);
     m_signal->setAccessibleName(tr("Signal that is compared"));
-    m_align->setAccessibleName(tr("Moment at which they are aligned"));
+    m_align->setAccessibleName(tr("Alignment of the recordings"));
     m_cursor->setAccessibleName(tr("Time of the cursor"));
-    m_span = grid->addBox(tr("Shown"), tr("All of it, or so much about the cursor"), {tr("all")});
+    m_span = grid->addBox(tr("Range"), tr("Whole recording or a range around the cursor"), {tr("all")});
     for (const double span_s : Spans_s) {
-        m_span->addItem(tr("%1 s about the cursor").arg(widgets::numberText(span_s, 3)), span_s);
+        m_span->addItem(tr("%1 s around the cursor").arg(widgets::numberText(span_s, 3)), span_s);
     }
     layout()->addWidget(grid);
     for (QComboBox* box : {m_signal, m_align, m_span}) {
@@ -154,11 +154,11 @@ void RunOverlay::take(ReadRuns read, int left) {
         remedy = widgets::inWords(error.hint);
     }
     if (left > 0) {
-        refused.append(tr("%1 recordings are laid over each other at most").arg(MostRuns));
+        refused.append(tr("Maximum %1 recordings in an overlay").arg(MostRuns));
     }
     const bool isAnyChanged = addWarnings(refused);
     if (isAnyChanged && remedy.isEmpty()) {
-        remedy = tr("Compare it with a copy of it: it may lack rows, or have others.");
+        remedy = tr("Compare it with a copy: samples may be missing or changed.");
     }
     if (refused.isEmpty()) {
         m_message->clear();
@@ -257,9 +257,8 @@ void RunOverlay::showFigure(widgets::Figure figure) {
     const bool isEmpty = figure.panels.empty();
     m_hint->setVisible(isEmpty);
     m_hint->setText(m_runs->empty()
-                        ? tr("Select recordings in the list: their curves are drawn over each other here.")
-                        : tr("These recordings have nothing in common there: choose another signal, moment "
-                             "or time."));
+                        ? tr("Select recordings in the list to overlay their curves.")
+                        : tr("No common data in this range. Choose another signal, alignment or range."));
     m_view->setVisible(!isEmpty);
     m_values->setVisible(!isEmpty);
     if (!isEmpty) {

@@ -55,7 +55,7 @@ Result<ImportedTable> importTable(const std::string& text, const std::string& or
                                   const ResultHeader& header, ImportProgress& progress) {
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored)) {
-        return failure(ErrorCode::Usage, path + ": there is such a file already",
+        return failure(ErrorCode::Usage, path + ": the file exists already",
                        "give the recording another name");
     }
     const auto check = [&progress]() -> Result<void> {
@@ -82,7 +82,7 @@ Result<bool> isOwnRecording(const std::string& path) {
     std::string head(Head_bytes, '\0');
     file.read(head.data(), static_cast<std::streamsize>(head.size()));
     if (!file && !file.eof()) {
-        return failure(ErrorCode::FileSystem, path + ": cannot be read", "look whether it is still there");
+        return failure(ErrorCode::FileSystem, path + ": cannot be read", "check that the file exists");
     }
     head.resize(static_cast<std::size_t>(file.gcount()));
     if (head.size() == Head_bytes) {

@@ -34,7 +34,7 @@ constexpr Title Titles[] = {
     {"published-degrees", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "published, in degrees")},
     {"published-in-degrees", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "published, in degrees")},
     {"device", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "from the device")},
-    {"edited", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "edited by hand")}};
+    {"edited", QT_TRANSLATE_NOOP("halbench::app::DesignNames", "edited manually")}};
 
 } // namespace
 

@@ -189,7 +189,7 @@ void DesignTable::sayReason(int row, const QString& reason) {
 void DesignTable::fillRow(int row, const ComparedDesign& design, bool isKept) {
     setText(row, Name, isKept ? QString::fromStdString(design.name) : tr("Proposed"));
     const QString method = designTitle(design.method);
-    setText(row, Method, design.isShaped ? tr("%1, with filters").arg(method) : method);
+    setText(row, Method, design.isFiltered ? tr("%1, with filters").arg(method) : method);
     if (isKept) {
         QTableWidgetItem& cell = *m_table->item(row, Name);
         const Qt::ItemFlags flags = cell.flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable;
@@ -267,14 +267,13 @@ void DesignTable::refreshWords() {
         m_table->horizontalHeaderItem(column)->setTextAlignment(alignmentOf(column));
     }
     m_table->setAccessibleName(tr("Designs compared"));
-    m_table->setToolTip(tr("A tick draws the design in the pictures (Space), F2 renames it, Del removes it"));
+    m_table->setToolTip(tr("A tick shows the design in the plots (Space), F2 renames it, Del removes it"));
     const std::tuple<QPushButton*, QString, QString> words[] = {
-        {m_keep, tr("Keep this design"),
-         tr("The proposed gains stay in the project, under a name of their own")},
-        {m_takeUp, tr("Take up"), tr("The gains of the chosen design become the proposed ones")},
-        {m_remove, tr("Remove"), tr("The chosen design leaves the project")},
-        {m_undo, tr("Undo"), tr("What was last done to the list of designs is taken back (Ctrl+Z)")},
-        {m_redo, tr("Redo"), tr("What was taken back is done again (Ctrl+Shift+Z)")}};
+        {m_keep, tr("Save design"), tr("Save the proposed gains in the project under a name")},
+        {m_takeUp, tr("Use this design"), tr("Use the gains of the selected design as proposed gains")},
+        {m_remove, tr("Remove"), tr("Remove the selected design from the project")},
+        {m_undo, tr("Undo"), tr("Undo the last change of the list (Ctrl+Z)")},
+        {m_redo, tr("Redo"), tr("Redo the last undone change (Ctrl+Shift+Z)")}};
     for (const auto& [button, text, help] : words) {
         button->setText(text);
         button->setToolTip(help);

@@ -22,8 +22,8 @@ struct ComparedDesign {
     std::optional<AnalysisResult> predicted; ///< nothing: not yet, or not with this motor
     std::optional<double> bandwidth_rad_s;   ///< of the closed loop
     bool isDrawn = false;
-    QString reason;        ///< why nothing is predicted
-    bool isShaped = false; ///< with weights or filters
+    QString reason;          ///< why nothing is predicted
+    bool isFiltered = false; ///< with weights or filters
 };
 
 /// Designs side by side: gains, margins, bandwidth, overshoot. The first row is the one that is worked on;

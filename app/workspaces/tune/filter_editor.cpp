@@ -1,6 +1,6 @@
 #include "app/workspaces/tune/filter_editor.h"
 
-#include "app/documents/shaped_gains.h"
+#include "app/documents/filtered_gains.h"
 #include "app/workspaces/parts/figure_units.h"
 #include "control/base/units.h"
 #include "widgets/controls/optional_number_edit.h"
@@ -197,7 +197,7 @@ void FilterEditor::chooseKind(QWidget* box, int kind) {
     row.filter = filterOf(static_cast<std::size_t>(kind), figures);
     buildFields(row);
     sayFilter(static_cast<std::size_t>(&row - m_rows.data()));
-    Q_EMIT edited(tr("Choose the kind of filter %1").arg(&row - m_rows.data() + 1), false);
+    Q_EMIT edited(tr("Type of filter %1").arg(&row - m_rows.data() + 1), false);
 }
 
 void FilterEditor::takeFigure(QWidget* box, std::size_t figure) {
@@ -254,8 +254,8 @@ void FilterEditor::setFrequencyUnit(FrequencyUnit unit) {
     showAll();
 }
 
-void FilterEditor::setShaping(const std::optional<control::ShapedLaw>& shaped) {
-    const control::ShapedLaw wanted = shaped.value_or(control::ShapedLaw{});
+void FilterEditor::setShaping(const std::optional<control::FilteredLaw>& filtered) {
+    const control::FilteredLaw wanted = filtered.value_or(control::FilteredLaw{});
     m_shaping = wanted;
     while (m_rows.size() > wanted.filters.size()) {
         dropFilter(m_rows.size() - 1);
@@ -276,7 +276,7 @@ void FilterEditor::setShaping(const std::optional<control::ShapedLaw>& shaped) {
         }
     }
     showAll();
-    if (shaped) {
+    if (filtered) {
         m_toggle->setChecked(true); // what counts is seen
     }
 }
@@ -295,9 +295,9 @@ void FilterEditor::bringIntoSight() {
     QMetaObject::invokeMethod(this, scroll, Qt::QueuedConnection);
 }
 
-Result<std::optional<control::ShapedLaw>> FilterEditor::shaped(const control::PidGains& gains) const {
+Result<std::optional<control::FilteredLaw>> FilterEditor::filtered(const control::PidGains& gains) const {
     std::vector<const widgets::OptionalNumberEdit*> edits = {m_b.edit, m_c.edit, m_time.edit};
-    control::ShapedLaw law = m_shaping;
+    control::FilteredLaw law = m_shaping;
     law.gains = gains;
     law.gains.filter_s = m_shaping.gains.filter_s;
     law.filters.clear();
@@ -309,10 +309,10 @@ Result<std::optional<control::ShapedLaw>> FilterEditor::shaped(const control::Pi
     }
     for (const widgets::OptionalNumberEdit* edit : edits) {
         if (!edit->value()) {
-            const QString problem = edit->isValid() ? tr("a number is missing") : edit->problem();
+            const QString problem = edit->isValid() ? tr("missing number") : edit->problem();
             return failure(ErrorCode::InvalidInput,
                            tr("%1: %2").arg(edit->accessibleName(), problem).toStdString(),
-                           tr("Write a number within its range").toStdString());
+                           tr("Enter a number within the range").toStdString());
         }
     }
     return control::isBoardLaw(law) ? std::nullopt : std::optional(std::move(law));

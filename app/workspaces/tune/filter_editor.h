@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/workbench/display_quantity.h"
-#include "control/law/shaped_law.h"
+#include "control/law/filtered_law.h"
 
 #include <QWidget>
 
@@ -32,10 +32,10 @@ public:
 
     void setFrequencyUnit(FrequencyUnit unit);
     /// Of a law, whose gains are not read; nothing: the board's own.
-    void setShaping(const std::optional<control::ShapedLaw>& shaped);
+    void setShaping(const std::optional<control::FilteredLaw>& filtered);
     /// These gains with what stands here around them; nothing when the board's law is all of it. Errors:
     /// InvalidInput naming the field.
-    Result<std::optional<control::ShapedLaw>> shaped(const control::PidGains& gains) const;
+    Result<std::optional<control::FilteredLaw>> filtered(const control::PidGains& gains) const;
 
 Q_SIGNALS:
     /// By the user: "Edit Filter 1: Corner"; `isTyped`: one of many strokes.
@@ -77,7 +77,7 @@ private:
     double factorOf(const control::LoopFilter& filter, std::size_t figure) const;
 
     FrequencyUnit m_unit = FrequencyUnit::Hertz;
-    control::ShapedLaw m_shaping; ///< its gains but for the filter, and its filters, do not count
+    control::FilteredLaw m_shaping; ///< its gains but for the filter, and its filters, do not count
     std::vector<Filter> m_rows;
     QToolButton* m_toggle = nullptr;
     QWidget* m_body = nullptr;

@@ -199,10 +199,10 @@ Result<control::PositionLaw> GainEditor::law() const {
     for (const Row& row : m_rows) {
         const bool mayBeEmpty = isTimed && &row == &m_rows[Integral] && row.edit->isValid();
         if (!row.edit->value() && !mayBeEmpty) {
-            const QString problem = row.edit->isValid() ? tr("a number is missing") : row.edit->problem();
+            const QString problem = row.edit->isValid() ? tr("missing number") : row.edit->problem();
             return failure(ErrorCode::InvalidInput,
                            tr("%1: %2").arg(row.edit->accessibleName(), problem).toStdString(),
-                           tr("Write a number of zero or more").toStdString());
+                           tr("Enter zero or a positive number").toStdString());
         }
         values[row.value.name] = row.value.value;
     }
@@ -218,7 +218,7 @@ void GainEditor::sayNames() {
         {"feedforward.inertia", tr("Feed-forward of inertia")},
         {"feedforward.viscous", tr("Feed-forward of damping")},
         {"feedforward.coulomb", tr("Feed-forward of friction")},
-        {"feedforward.coulomb_speed", tr("... in full from speed")},
+        {"feedforward.coulomb_speed", tr("... full effect from speed")},
         {"stiction.current", tr("Friction assist")},
         {"stiction.threshold", tr("... from an error of")},
         {"stiction.speed", tr("... below a reference speed of")}};
@@ -227,7 +227,7 @@ void GainEditor::sayNames() {
             if (row.value.name == key) {
                 row.name->setText(text);
                 row.edit->setAccessibleName(text);
-                row.edit->setExplanation(tr("%1 of the board").arg(QString::fromStdString(row.value.name)));
+                row.edit->setExplanation(tr("%1 of the device").arg(QString::fromStdString(row.value.name)));
             }
         }
     }
@@ -245,13 +245,12 @@ void GainEditor::refreshWords() {
         m_form->setItemText(i, forms[i]);
     }
     m_form->setAccessibleName(tr("Form of the gains"));
-    m_form->setToolTip(
-        tr("Parallel: K_P + K_I/s + K_D s. Standard: K (1 + 1/(T_i s) + T_d s). Series: K (1 + "
-           "1/(T_i s))(1 + T_d s). The board and files have the parallel form"));
+    m_form->setToolTip(tr("Parallel: K_P + K_I/s + K_D s. Standard: K (1 + 1/(T_i s) + T_d s). Series: K (1 "
+                          "+ 1/(T_i s))(1 + T_d s). Device and files use the parallel form"));
     m_unit->setAccessibleName(tr("Unit of the gains"));
-    m_unit->setToolTip(tr("A/rad and A/\u00b0 differ by 57.3; files and the board use A/rad"));
+    m_unit->setToolTip(tr("1 A/° = 57.3 A/rad. Files and device use A/rad"));
     m_extras->setText(tr("Feed-forward and friction assist"));
-    m_extras->setToolTip(tr("Show the gains that act on the reference"));
+    m_extras->setToolTip(tr("Show the feed-forward gains"));
     m_extras->setAccessibleName(m_extras->text());
 }
 

@@ -140,23 +140,22 @@ void LoopSliders::sayLimit(const CrossoverAim& wanted, const control::CrossoverD
     case CrossoverLimit::None:
         break;
     case CrossoverLimit::Range:
-        why = tr("Only %1: the range ends there.").arg(reached);
+        why = tr("Limited to %1 (end of range).").arg(reached);
         break;
     case CrossoverLimit::Derivative:
-        why = tr("Only %1: else K_D is negative.").arg(reached);
+        why = tr("Limited to %1 (K_D would become negative).").arg(reached);
         break;
     case CrossoverLimit::Stiffness:
-        why = tr("Only %1: else it only damps.").arg(reached);
+        why = tr("Limited to %1 (K_P would become zero).").arg(reached);
         break;
     case CrossoverLimit::Stability:
-        why = tr("Only %1: gain margin %2.")
+        why = tr("Limited to %1 (gain margin %2).")
                   .arg(reached, widgets::numberText(control::crossover::LeastGainMargin_ratio, 2));
         break;
     }
     sayProblem(why);
     m_note->setToolTip(
-        why.isEmpty() ? why
-                      : tr("Asked for: %1. The nearest that can be had is taken.").arg(pairWords(wanted)));
+        why.isEmpty() ? why : tr("Requested %1; set to the nearest possible value.").arg(pairWords(wanted)));
 }
 
 void LoopSliders::sayProblem(const QString& text) {
@@ -167,13 +166,11 @@ void LoopSliders::sayProblem(const QString& text) {
 void LoopSliders::refreshWords() {
     m_speedName->setText(tr("S&peed"));
     m_speed->setAccessibleName(tr("Speed: gain crossover"));
-    m_speed->setToolTip(
-        tr("Where the open loop has the gain 1: the motor follows up to there. The phase "
-           "margin is kept as far as it can be. Arrow keys: 2 %, Page up and down: a quarter"));
+    m_speed->setToolTip(tr("Gain crossover: closed-loop bandwidth; the phase margin is kept if possible. "
+                           "Arrow keys: 2 %, Page Up/Down: 25 %"));
     m_marginName->setText(tr("&Robustness"));
     m_margin->setAccessibleName(tr("Robustness: phase margin"));
-    m_margin->setToolTip(tr("Phase margin at that crossover, which stays. Arrow keys: 1\u00b0, Page up and "
-                            "down: 5\u00b0"));
+    m_margin->setToolTip(tr("Phase margin at the present crossover. Arrow keys: 1°, Page Up/Down: 5°"));
 }
 
 void LoopSliders::changeEvent(QEvent* event) {

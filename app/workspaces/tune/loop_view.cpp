@@ -86,16 +86,14 @@ void LoopView::sayWords() {
     for (int i = 0; i < m_choice->count(); ++i) {
         m_choice->setItemText(i, names[i]);
     }
-    m_choice->setAccessibleName(tr("View of the open loop"));
-    m_choice->setToolTip(tr("Bode: magnitude and phase over frequency. Nyquist: the plane around -1. "
-                            "Nichols: magnitude over phase. Sensitivity: what is left of a disturbance, and "
-                            "what follows the reference. Root locus: the poles of the closed loop, and where "
-                            "they go with the gain"));
+    m_choice->setAccessibleName(tr("Open-loop plot"));
+    m_choice->setToolTip(tr("Bode: magnitude and phase over frequency. Nyquist: locus around -1. Nichols: "
+                            "magnitude over phase. Sensitivity: disturbance rejection and reference "
+                            "tracking. Root locus: closed-loop poles over the gain"));
     m_wrap->setText(tr("Wrap the phase"));
-    m_wrap->setToolTip(
-        tr("Draw the phase of the Bode plot between -180 and 180 degrees instead of as one line"));
+    m_wrap->setToolTip(tr("Plot the phase between -180° and 180°"));
     m_wrap->setAccessibleName(m_wrap->text());
-    m_note->setText(tr("The closed loop is unstable: it has no sensitivity."));
+    m_note->setText(tr("Closed loop unstable: no sensitivity."));
     m_picture->setHandles(handlesOf(view()));
 }
 

@@ -175,9 +175,9 @@ void TuneForm::refreshTargets() {
 }
 
 void TuneForm::refreshWords() {
-    m_label->setText(tr("Gains &by"));
-    m_origin->setAccessibleName(tr("Where the gains come from"));
-    m_origin->setToolTip(tr("A design method, a shipped preset, or what the device has"));
+    m_label->setText(tr("Gain so&urce"));
+    m_origin->setAccessibleName(tr("Source of the gains"));
+    m_origin->setToolTip(tr("Design method, built-in preset or device values"));
     for (int i = 0; i < m_origin->count(); ++i) {
         const QString id = m_origin->itemData(i, IdRole).toString();
         QString text;
@@ -194,34 +194,32 @@ void TuneForm::refreshWords() {
             }
             break;
         case Origin::Device:
-            text = tr("On the device now");
-            help = tr("the gains that run now");
+            text = tr("Device values");
+            help = tr("gains active on the device");
             break;
         case Origin::Edited:
-            text = tr("Edited by hand");
-            help = tr("the numbers below");
+            text = tr("Edited manually");
+            help = tr("values below");
             break;
         }
         m_origin->setItemText(i, text);
         m_origin->setItemData(i, help, Qt::ToolTipRole);
     }
-    const QString has = tr("What the loop shall have; empty: the method's default");
-    const QString swings =
-        tr("Where the loop swings, as the relay experiment measures it; empty: as the model says");
+    const QString has = tr("Target of the design; empty: default of the method");
+    const QString swings = tr("From the relay experiment; empty: from the model");
     const struct {
         QString name, otherwise, help;
     } words[] = {{tr("Damping ratio"), tr("default"), has},
                  {tr("Frequency"), tr("default"), has},
                  {tr("Bandwidth"), tr("default"), has},
                  {tr("Phase margin"), tr("default"), has},
-                 {tr("Largest Ms"), widgets::numberText(control::least_error::UsualMs_ratio, 3),
-                  tr("Peak of the sensitivity that is not exceeded: 1.4 is calm, 2 lively. Numbers says "
-                     "whether it is what "
-                     "keeps the error from being less")},
-                 {tr("Current limit"), tr("the board's"),
-                  tr("What a step of the height below may ask for; at most what the board gives")},
-                 {tr("In a step of"), widgets::numberText(control::least_error::UsualStep_deg, 3),
-                  tr("The largest step of the reference that shall not reach the current limit")},
+                 {tr("Maximum Ms"), widgets::numberText(control::least_error::UsualMs_ratio, 3),
+                  tr("Limit of the sensitivity peak: 1.4 robust, 2 fast. The Numbers page shows whether this "
+                     "limit is active")},
+                 {tr("Current limit"), tr("device limit"),
+                  tr("Current allowed in a step of the height below; at most the device limit")},
+                 {tr("Step height"), widgets::numberText(control::least_error::UsualStep_deg, 3),
+                  tr("Largest reference step without current saturation")},
                  {tr("Ultimate gain"), tr("default"), swings},
                  {tr("Ultimate period"), tr("default"), swings}};
     for (std::size_t i = 0; i < m_targets.size(); ++i) {

@@ -42,7 +42,7 @@ FrequencyScale frequencyScale(const DisplayUnits& units) {
 }
 
 QString stepWords(const control::StepMetrics& step) {
-    return Words::tr("rise %1, %2 overshoot, within 2 % after %3")
+    return Words::tr("rise time %1, overshoot %2, settling time (2 %) %3")
         .arg(amount(step.riseTime_s, QStringLiteral(" s")),
              amount(step.overshoot_percent, QStringLiteral(" %")),
              amount(step.settlingTime_s, QStringLiteral(" s")));
@@ -58,7 +58,7 @@ QString largeStepWords(const AnalysisResult& loop) {
     }
     return loop.largeStep->hasArrived()
                ? stepWords(loop.largeStep->metrics)
-               : Words::tr("not there after %1")
+               : Words::tr("not settled after %1")
                      .arg(amount(loop.largeStep->duration_s(), QStringLiteral(" s")));
 }
 
@@ -73,31 +73,30 @@ QString intervalWords(const std::optional<control::Robustness::Interval>& spread
 template <typename Row>
 void appendMargins(const Row& row, const control::Robustness& robust, const FrequencyScale& frequency) {
     row(
-        Words::tr("Gain margin"),
-        Words::tr("Factor on the gain that makes the loop unstable; at least 2 is usual"),
+        Words::tr("Gain margin"), Words::tr("Gain factor at the stability limit; usually at least 2"),
         [](const AnalysisResult& loop) {
             return amount(loop.margins.gainMargin_ratio, QStringLiteral(" \u00d7"));
         },
         intervalWords(robust.gainMargin_ratio));
     row(
-        Words::tr("Phase margin"), Words::tr("At the gain crossover; at least 30\u00b0 is usual"),
+        Words::tr("Phase margin"), Words::tr("Phase margin at the gain crossover; usually at least 30°"),
         [](const AnalysisResult& loop) {
             return amount(loop.margins.phaseMargin_deg, QStringLiteral("\u00b0"));
         },
         intervalWords(robust.phaseMargin_deg));
     row(
-        Words::tr("Delay margin"), Words::tr("Dead time that uses up the phase margin"),
+        Words::tr("Delay margin"), Words::tr("Additional delay at the stability limit"),
         [](const AnalysisResult& loop) {
             return amount(1e3 * loop.margins.delayMargin_s, QStringLiteral(" ms"));
         },
         intervalWords(robust.delayMargin_s, 1e3));
     row(
         Words::tr("Modulus margin"),
-        Words::tr("Smallest distance of the open loop from -1; at least 0.5 is usual"),
+        Words::tr("Smallest distance of the open loop from -1; usually at least 0.5"),
         [](const AnalysisResult& loop) { return amount(loop.margins.modulusMargin, {}); },
         intervalWords(robust.modulusMargin));
     row(
-        Words::tr("Gain crossover"), Words::tr("Where the open loop has the gain 1"),
+        Words::tr("Gain crossover"), Words::tr("Frequency at which the open-loop gain is 1"),
         [&frequency](const AnalysisResult& loop) {
             const auto& crossover_rad_s = loop.margins.gainCrossover_rad_s;
             return amount(crossover_rad_s ? std::optional(*crossover_rad_s * frequency.factor) : std::nullopt,
@@ -109,12 +108,11 @@ void appendMargins(const Row& row, const control::Robustness& robust, const Freq
 /// What the motion shows; without intervals.
 template <typename Row>
 void appendMotion(const Row& row, const DisplayUnits& units) {
-    row(Words::tr("Largest K_P"), Words::tr("Above it the sampled loop is unstable"),
+    row(Words::tr("Largest K_P"), Words::tr("Stability limit of the sampled loop"),
         [](const AnalysisResult& loop) {
             return amount(loop.proportionalLimit_A_per_rad, QStringLiteral(" A/rad"));
         });
-    row(Words::tr("Friction band at rest"),
-        Words::tr("Friction may hold the rotor this far from its reference"),
+    row(Words::tr("Friction band at rest"), Words::tr("Possible standstill error due to friction"),
         [&units](const AnalysisResult& loop) {
             return std::isfinite(loop.frictionBand_rad)
                        ? QStringLiteral("\u00b1") + angleText(loop.frictionBand_rad, units)
@@ -128,34 +126,34 @@ void appendMotion(const Row& row, const DisplayUnits& units) {
 
 QString boundWords(const control::BoundUse& use, const QString& unit) {
     const QString text = Words::tr("%1 of %2").arg(amount(use.value, unit), amount(use.bound, unit));
-    return use.isActive() ? Words::tr("%1: at its bound").arg(text) : text;
+    return use.isActive() ? Words::tr("%1: limit active").arg(text) : text;
 }
 
 /// For methods that keep no bound on it.
-void appendSensitivity(std::vector<TuneNumber>& numbers, const control::DesignProof& proof) {
-    numbers.push_back(
-        {Words::tr("Peak of sensitivity, Ms"),
-         amount(proof.peaks.Ms_ratio, {}),
-         {},
-         {},
-         Words::tr("Disturbances near the crossover are made so many times larger; at most 2 is usual")});
+void appendSensitivity(std::vector<TuneNumber>& numbers, const control::LoopAssessment& assessment) {
+    numbers.push_back({Words::tr("Sensitivity peak Ms"),
+                       amount(assessment.peaks.Ms_ratio, {}),
+                       {},
+                       {},
+                       Words::tr("Maximum amplification of disturbances; usually at most 2")});
 }
 
 /// What the law asks of current and delay.
-void appendProof(std::vector<TuneNumber>& numbers, const control::DesignProof& proof,
+void appendProof(std::vector<TuneNumber>& numbers, const control::LoopAssessment& assessment,
                  const DisplayUnits& units) {
     const auto add = [&numbers](const QString& name, const QString& value, const QString& help) {
         numbers.push_back({name, value, {}, {}, help});
     };
-    add(Words::tr("Noise gain"), amount(proof.noiseGain_A_per_rad, QStringLiteral(" A/rad")),
-        Words::tr("Current that flickers for each radian of noise in the angle"));
-    add(Words::tr("Largest linear step"),
-        proof.isStable && std::isfinite(proof.largestStep_rad) ? angleText(proof.largestStep_rad, units)
-                                                               : QStringLiteral("\u2013"),
-        Words::tr("A larger one reaches the current limit"));
-    add(Words::tr("One more sample of delay"),
-        proof.poleRadiusOneSampleLater < 1.0 ? Words::tr("stays stable") : Words::tr("UNSTABLE"),
-        Words::tr("Whether the loop bears a current that comes one sample later"));
+    add(Words::tr("Noise gain"), amount(assessment.noiseGain_A_per_rad, QStringLiteral(" A/rad")),
+        Words::tr("Current noise per radian of angle noise"));
+    add(Words::tr("Largest step without saturation"),
+        assessment.isStable && std::isfinite(assessment.largestStep_rad)
+            ? angleText(assessment.largestStep_rad, units)
+            : QStringLiteral("\u2013"),
+        Words::tr("Larger steps reach the current limit"));
+    add(Words::tr("One sample more delay"),
+        assessment.poleRadiusOneSampleLater < 1.0 ? Words::tr("stays stable") : Words::tr("UNSTABLE"),
+        Words::tr("Stability of the loop with one more sample of delay"));
 }
 
 /// What a load does, with its interval.
@@ -165,20 +163,20 @@ void appendDisturbance(std::vector<TuneNumber>& numbers, const Disturbance& dist
     const auto& band = disturbance.band;
     const QString load = widgets::numberText(disturbance.load_A, 2);
     numbers.push_back(
-        {Words::tr("Peak under a load worth %1 A").arg(load),
+        {Words::tr("Peak after a load step equal to %1 A").arg(load),
          angleText(step.peak_rad, units),
          band ? Words::tr("%1 to %2")
                     .arg(angleText(band->peak_rad.p5, units), angleText(band->peak_rad.p95, units))
               : Words::tr("not known"),
          {},
-         Words::tr("How far the load moves the linear loop from its reference")});
-    numbers.push_back({Words::tr("Recovered from it"),
-                       step.recoveryTime_s ? Words::tr("after %1 s").arg(amount(*step.recoveryTime_s, {}))
-                                           : Words::tr("not in the time that is shown"),
-                       intervalWords(band ? band->recoveryTime_s : std::nullopt),
-                       {},
-                       Words::tr("From then on the angle stays within a tenth of the peak around where it "
-                                 "ends")});
+         Words::tr("Largest deviation of the linear loop after the load step")});
+    numbers.push_back(
+        {Words::tr("Settling after load"),
+         step.recoveryTime_s ? Words::tr("after %1 s").arg(amount(*step.recoveryTime_s, {}))
+                             : Words::tr("longer than the time shown"),
+         intervalWords(band ? band->recoveryTime_s : std::nullopt),
+         {},
+         Words::tr("Time until the angle stays within 10 % of the peak around its final value")});
 }
 
 QString cycleWords(const PredictedCycle& cycle, const DisplayUnits& units) {
@@ -189,42 +187,43 @@ QString cycleWords(const PredictedCycle& cycle, const DisplayUnits& units) {
 
 /// What friction and the current limit make of it.
 void appendCycles(std::vector<TuneNumber>& numbers, const TuneResult& result, const DisplayUnits& units) {
-    numbers.push_back({Words::tr("Integral ends a rest"),
-                       std::isfinite(result.release_s)
-                           ? Words::tr("after %1 s").arg(widgets::numberText(result.release_s, 2))
-                           : Words::tr("never"),
-                       {},
-                       {},
-                       Words::tr("From half of the friction band; then the rotor jumps and may rest again: "
-                                 "it hunts")});
+    numbers.push_back(
+        {Words::tr("Stick time before integral moves it"),
+         std::isfinite(result.release_s)
+             ? Words::tr("after %1 s").arg(widgets::numberText(result.release_s, 2))
+             : Words::tr("never"),
+         {},
+         {},
+         Words::tr("From half the friction band. The rotor then jumps and may stick again (hunting)")});
     const QString name = Words::tr("Limit cycle");
-    const QString help = Words::tr("A swing that friction and the current limit let the loop keep up, by "
-                                   "harmonic balance");
+    const QString help =
+        Words::tr("Sustained oscillation due to friction and current limit (harmonic balance)");
     if (!result.cycles || result.cycles->empty()) {
-        numbers.push_back({name,
-                           result.cycles ? Words::tr("none") : Words::tr("not predicted"),
-                           {},
-                           {},
-                           result.cycles ? help
-                                         : Words::tr("The micro-step assist, or a motor without friction, "
-                                                     "is not in the balance")});
+        numbers.push_back(
+            {name,
+             result.cycles ? Words::tr("none") : Words::tr("not predicted"),
+             {},
+             {},
+             result.cycles
+                 ? help
+                 : Words::tr(
+                       "Harmonic balance does not cover the micro-step assist or a motor without friction")});
         return;
     }
     for (const PredictedCycle& cycle : *result.cycles) {
-        numbers.push_back({cycle.isStable ? name : Words::tr("Swing that grows"),
+        numbers.push_back({cycle.isStable ? name : Words::tr("Growth threshold"),
                            cycleWords(cycle, units),
                            {},
                            {},
-                           cycle.isStable ? help : Words::tr("A smaller one comes to rest")});
+                           cycle.isStable ? help : Words::tr("Smaller oscillations decay")});
     }
 }
 
 /// What a design of least error was not allowed to exceed.
 void appendBounds(std::vector<TuneNumber>& numbers, const control::LeastErrorBounds& bounds,
                   const DisplayUnits& units) {
-    const QString help = Words::tr("At its bound: this is what keeps the error after a load from being less");
-    numbers.push_back(
-        {Words::tr("Peak of sensitivity, Ms"), boundWords(bounds.sensitivity, {}), {}, {}, help});
+    const QString help = Words::tr("Active limit: it prevents a smaller error after a load step");
+    numbers.push_back({Words::tr("Sensitivity peak Ms"), boundWords(bounds.sensitivity, {}), {}, {}, help});
     if (bounds.current) {
         numbers.push_back({Words::tr("Current in a step of %1").arg(angleText(bounds.step_rad, units)),
                            boundWords(*bounds.current, QStringLiteral(" A")),
@@ -245,26 +244,26 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
             {name, text(proposed.predicted), interval, present ? text(*present) : QString(), help});
     };
     const control::Robustness& robust = proposed.robust;
-    row(Words::tr("Closed loop"), Words::tr("Poles of the sampled loop with the device's delay"),
+    row(Words::tr("Closed loop"), Words::tr("Poles of the sampled loop, with the device's delay"),
         [](const AnalysisResult& loop) {
             return loop.isStable ? Words::tr("stable") : Words::tr("UNSTABLE");
         });
-    numbers.push_back({Words::tr("Unstable motors"),
-                       robust.gainMargin_ratio
-                           ? amount(100.0 * robust.unstable_fraction, QStringLiteral(" %"))
-                           : Words::tr("not known"),
-                       {},
-                       {},
-                       Words::tr("Share of the motors that the data allow which this loop makes unstable")});
+    numbers.push_back(
+        {Words::tr("Share of unstable cases"),
+         robust.phaseMargin_deg ? amount(100.0 * robust.unstable_fraction, QStringLiteral(" %"))
+                                : Words::tr("not known"),
+         {},
+         {},
+         Words::tr("Share of the motors within the model's uncertainty for which this loop is unstable")});
     appendMargins(row, robust, frequencyScale(units));
     if (proposed.bounds) {
         appendBounds(numbers, *proposed.bounds, units);
     }
-    if (proposed.proof && !proposed.bounds) {
-        appendSensitivity(numbers, *proposed.proof);
+    if (proposed.assessment && !proposed.bounds) {
+        appendSensitivity(numbers, *proposed.assessment);
     }
-    if (proposed.proof) {
-        appendProof(numbers, *proposed.proof, units);
+    if (proposed.assessment) {
+        appendProof(numbers, *proposed.assessment, units);
     }
     appendMotion(row, units);
     if (proposed.disturbance) {
@@ -293,7 +292,7 @@ MotionEnd endOf(const MoveOutlook& outlook, const DisplayUnits& units) {
 
 QString verificationWords(const MoveOutlook& outlook, const DisplayUnits& units) {
     const MotionEnd end = endOf(outlook, units);
-    return Words::tr("The rotor will turn by %1, in %2; the board ends it at %3 or %4.")
+    return Words::tr("Verification: %1 in %2. Device stops at %3 or %4.")
         .arg(widgets::unbroken(angleText(outlook.excursion_rad, units)),
              widgets::unbroken(widgets::numberText(outlook.armed_s, 2) + QStringLiteral(" s")), end.angle,
              end.speed);
@@ -301,8 +300,7 @@ QString verificationWords(const MoveOutlook& outlook, const DisplayUnits& units)
 
 QString liveStepWords(const MoveOutlook& outlook, const DisplayUnits& units) {
     const MotionEnd end = endOf(outlook, units);
-    return Words::tr(
-               "After each step the rotor will turn by %1, to and fro, in %2; the board ends it at %3 or %4.")
+    return Words::tr("Verification after each step: %1 forth and back in %2. Device stops at %3 or %4.")
         .arg(widgets::unbroken(angleText(outlook.excursion_rad, units)),
              widgets::unbroken(widgets::numberText(outlook.armed_s, 2) + QStringLiteral(" s")), end.angle,
              end.speed);
@@ -311,20 +309,19 @@ QString liveStepWords(const MoveOutlook& outlook, const DisplayUnits& units) {
 QString agreementWords(const VerificationBand& band, const MoveFigures& measured, const DisplayUnits& units) {
     const double rest_rad = std::abs(measured.finalError);
     const double excess_rad = rest_rad - band.allowed_rad;
-    QStringList parts = {
-        excess_rad <= 0.0
-            ? Words::tr("at rest %1 from the set-point by its own sensors, allowed are %2")
-                  .arg(angleText(rest_rad, units, 2), angleText(band.allowed_rad, units, 2))
-            : Words::tr("at rest %1 from the set-point by its own sensors, %2 more than allowed")
-                  .arg(angleText(rest_rad, units, 2), angleText(excess_rad, units, 2))};
+    QStringList parts = {excess_rad <= 0.0
+                             ? Words::tr("final error %1 (limit %2)")
+                                   .arg(angleText(rest_rad, units, 2), angleText(band.allowed_rad, units, 2))
+                             : Words::tr("final error %1 (%2 above the limit)")
+                                   .arg(angleText(rest_rad, units, 2), angleText(excess_rad, units, 2))};
     if (measured.overshoot_percent && band.allowedOvershoot_percent &&
         *measured.overshoot_percent > *band.allowedOvershoot_percent) {
-        parts << Words::tr("overshoot %1 %, %2 % more than allowed")
+        parts << Words::tr("overshoot %1 % (%2 % above the limit)")
                      .arg(widgets::numberText(*measured.overshoot_percent, 2),
                           widgets::numberText(*measured.overshoot_percent - *band.allowedOvershoot_percent,
                                               3));
     }
-    parts << Words::tr("farthest from the prediction, %1, after %2 s")
+    parts << Words::tr("max. deviation from the prediction %1 at %2 s")
                  .arg(angleText(std::abs(band.largestOff_rad), units, 2),
                       widgets::numberText(band.largestOffTime_s, 2));
     return parts.join(QStringLiteral("; "));
@@ -342,10 +339,9 @@ TuneNumbers::TuneNumbers(QWidget* parent) : QTableWidget(0, 4, parent) {
 }
 
 void TuneNumbers::refreshWords() {
-    setHorizontalHeaderLabels({tr("Prediction"), tr("Proposed"), tr("5 % to 95 %"),
-                               m_isUndecided ? tr("Before the apply") : tr("On the device")});
-    horizontalHeaderItem(2)->setToolTip(
-        tr("Of the motors that the identification's uncertainty allows; not known without one"));
+    setHorizontalHeaderLabels({tr("Prediction"), tr("Proposed"), tr("5-95 % band"),
+                               m_isUndecided ? tr("Before applying") : tr("On the device")});
+    horizontalHeaderItem(2)->setToolTip(tr("Range over the uncertainty of the identified motor"));
     for (int column = 0; column < columnCount(); ++column) {
         horizontalHeaderItem(column)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     }

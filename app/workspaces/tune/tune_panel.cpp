@@ -5,6 +5,7 @@
 #include "app/workspaces/parts/foreign_motor_notice.h"
 #include "app/workspaces/parts/page_chooser.h"
 #include "app/workspaces/parts/preflight.h"
+#include "app/workspaces/tune/axis_tune_panel.h"
 #include "app/workspaces/tune/design_names.h"
 #include "app/workspaces/tune/filter_editor.h"
 #include "app/workspaces/tune/gain_editor.h"
@@ -146,14 +147,36 @@ void TunePanel::onDevice() {
         leaveGains();
         forgetVerification();
     }
+    refreshEmpty();
+    showPage();
     refreshOutlook(); // of its limits
     readConditions();
     ask(); // its presets may be others
 }
 
+/// One loop or several, by the device; without an identification there is nothing to tune.
+void TunePanel::showPage() {
+    const bool areSeveral =
+        m_bench.session().state() == SessionState::Connected && m_bench.session().catalogue().axes.size() > 1;
+    if (areSeveral && m_axes != nullptr && m_axes->isFor(m_bench.session().info().model)) {
+        m_pages->setCurrentWidget(m_axes);
+    } else {
+        m_pages->setCurrentIndex(m_bench.identification() && !areSeveral ? WorkPage : EmptyPage);
+    }
+}
+
+void TunePanel::useAxisModel(const AxisModelFile& model) {
+    if (m_axes == nullptr) {
+        m_axes = new AxisTunePanel(m_bench, m_pages);
+        m_pages->addWidget(m_axes);
+    }
+    m_axes->setModel(model);
+    showPage();
+}
+
 void TunePanel::refreshModel() {
     const auto& identification = m_bench.identification();
-    m_pages->setCurrentIndex(identification ? WorkPage : EmptyPage);
+    showPage();
     if (m_bench.provenance().origin != ResultOrigin::Project) {
         forgetRestored(); // they were for another motor
     }
@@ -251,6 +274,7 @@ std::optional<TuneQuestion> TunePanel::question() {
         }
     }
     takeStrayInterval(question.config.conditions, m_bench.strayInterval95_T_per_A());
+    question.config.conditions.doubts = m_bench.calibrationDoubts();
     question.present = m_presentLaw;
     question.record = m_record;
     question.known = m_steady;
@@ -325,10 +349,10 @@ void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
     m_form->showChoice(m_restored ? shown.method : TuneConfig().method, shown.targets);
     if (m_restored) {
         m_gains->setLaw(shown.law);
-        m_filters->setShaping(shown.shaped);
+        m_filters->setShaping(shown.filtered);
         m_message->showMessage({widgets::Severity::Information,
                                 tr("Gains from the project: %1.").arg(designTitle(shown.method)),
-                                tr("Choose a method to design anew for the motor as it is now."),
+                                tr("Choose a method to design new gains for the present motor model."),
                                 {}});
     }
     restartHistory();

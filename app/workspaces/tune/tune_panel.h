@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/documents/axis_model_file.h"
 #include "app/documents/frequency_file.h"
 #include "app/documents/model_file.h"
 #include "app/procedures/apply/apply_procedure.h"
@@ -8,7 +9,7 @@
 #include "app/workbench/latest_task.h"
 #include "app/workbench/workbench.h"
 #include "app/workspaces/tune/gain_history.h"
-#include "app/workspaces/tune/kept_designs.h"
+#include "app/workspaces/tune/saved_designs.h"
 #include "app/workspaces/tune/tune_question.h"
 #include "control/design/crossover_design.h"
 
@@ -44,6 +45,7 @@ class VerdictView;
 
 namespace halbench::app {
 
+class AxisTunePanel;
 class DesignTable;
 class FilterEditor;
 class ForeignMotorNotice;
@@ -66,14 +68,16 @@ public:
     explicit TunePanel(Workbench& bench, QWidget* parent = nullptr);
 
     void setFileChooser(FileChooser chooser);
+    /// Whether an answer about the proposed gains is still to come.
+    bool isComputing() const { return m_sketching.isBusy() || m_judging.isBusy(); }
     /// Shows the project's gains as they are, until others are chosen: their method is named, not run again.
     /// None: the first method.
     void restoreDesign(std::optional<GainsFile> gains);
     /// The project's other designs, by name, and what they are now.
-    void setKeptDesigns(std::vector<KeptDesign> designs);
+    void setSavedDesigns(std::vector<KeptDesign> designs);
     /// One more that the project held otherwise; nothing done to the others is forgotten.
     void adoptDesign(const std::string& name, std::string document);
-    const std::vector<KeptDesign>& keptDesigns() const { return m_designs.all(); }
+    const std::vector<KeptDesign>& savedDesigns() const { return m_designs.all(); }
     /// A kept design becomes the proposed one; nothing without one of this name.
     void takeUpDesign(const std::string& name);
     /// Draws a plant that was measured into the open loop; what is no plant of this loop is refused in place.
@@ -82,6 +86,8 @@ public:
     void useRecording(const QString& path);
     /// Gains by Ziegler and Nichols, from where the loop was measured to swing.
     void useUltimate(double gain_A_per_rad, double period_s);
+    /// Gains for the axes of a device with several, identified just now.
+    void useAxisModel(const AxisModelFile& model);
     /// What runs on the device lasts longer than its power from now on.
     void onSavedInDevice();
     /// What was done to the proposed gains, taken back and done again; named after it.
@@ -131,7 +137,7 @@ private:
     void shape(Shaping::Kind kind, double value);
     void takeShape();
     void endShaping();
-    Result<LoopLaw> shapedLaw();
+    Result<LoopLaw> filteredLaw();
     Result<LoopLaw> editedLaw() const;
     Result<LoopLaw> chosenLaw() const;
     void useEdited(const LoopLaw& law);
@@ -171,9 +177,11 @@ private:
     void drawPredictions();
     void drawLoaded();
     void refreshWords();
+    void refreshEmpty();
     void refreshOutlook();
     void growVerification();
     void refreshModel();
+    void showPage();
     void forgetRestored();
     void onDevice();
     void forgetVerification();
@@ -225,7 +233,7 @@ private:
     std::optional<LoopLaw> m_presentLaw; ///< on the device, or before an apply
     std::optional<GainsFile> m_restored; ///< of the project; until others are chosen
     SteadyPrediction m_steady;           ///< of the last sketch
-    KeptDesigns m_designs;
+    SavedDesigns m_designs;
     std::optional<Shaping> m_shaping;
     GainHistory m_history;
     QList<QAction*> m_historyActions;            ///< undo, redo
@@ -257,6 +265,7 @@ private:
     QSplitter* m_splitter = nullptr;
     QStackedWidget* m_pages = nullptr;
     widgets::EmptyState* m_empty = nullptr;
+    AxisTunePanel* m_axes = nullptr; ///< once axes were identified
     widgets::MessageBar* m_message = nullptr;
     QLabel* m_model = nullptr;
     TuneForm* m_form = nullptr;

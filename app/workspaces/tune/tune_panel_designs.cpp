@@ -42,7 +42,7 @@ void TunePanel::connectDesigns() {
     });
 }
 
-void TunePanel::setKeptDesigns(std::vector<KeptDesign> designs) {
+void TunePanel::setSavedDesigns(std::vector<KeptDesign> designs) {
     m_designs.restore(std::move(designs));
     compareDesigns();
 }
@@ -72,8 +72,7 @@ void TunePanel::takeUp(int kept) {
         return;
     }
     useEdited(gains->loopLaw());
-    record(
-        tr("Take up %1").arg(QString::fromStdString(m_designs.all()[static_cast<std::size_t>(kept)].name)));
+    record(tr("Use %1").arg(QString::fromStdString(m_designs.all()[static_cast<std::size_t>(kept)].name)));
     ask();
 }
 
@@ -121,11 +120,11 @@ void TunePanel::forgetJudgements() {
 /// Of a row without figures.
 QString TunePanel::reasonOf(const KeptDesign& design) const {
     if (!design.gains) {
-        return tr("not judged: the project's entry cannot be read");
+        return tr("not assessed: project entry cannot be read");
     }
     const auto found = m_unjudged.find(design.document);
-    return found == m_unjudged.end() ? tr("not judged yet")
-                                     : tr("not judged: %1").arg(widgets::inWords(found->second.message));
+    return found == m_unjudged.end() ? tr("not assessed yet")
+                                     : tr("not assessed: %1").arg(widgets::inWords(found->second.message));
 }
 
 void TunePanel::showDesigns() {
@@ -138,10 +137,10 @@ void TunePanel::showDesigns() {
                     m_bandwidth_rad_s,
                     true,
                     {},
-                    m_shown->shaped.has_value()};
+                    m_shown->filtered.has_value()};
     } else if (m_problem) {
         proposed.emplace();
-        proposed->reason = tr("not judged: %1").arg(widgets::inWords(m_problem->message));
+        proposed->reason = tr("not assessed: %1").arg(widgets::inWords(m_problem->message));
     }
     std::vector<ComparedDesign> kept;
     for (const KeptDesign& design : m_designs.all()) {
@@ -149,7 +148,7 @@ void TunePanel::showDesigns() {
         if (design.gains) {
             row.method = design.gains->method;
             row.gains = design.gains->law.gains;
-            row.isShaped = design.gains->shaped.has_value();
+            row.isFiltered = design.gains->filtered.has_value();
         }
         if (const auto found = m_judged.find(design.document); found != m_judged.end()) {
             row.predicted = found->second.predicted;
@@ -182,12 +181,13 @@ const std::optional<AnalysisResult>& TunePanel::present() const {
 /// Its band belongs to the judgement, which comes after the curve.
 void TunePanel::drawLoaded() {
     const bool isJudged = m_shown && m_shown->disturbance && isSameLaw(m_shown->law, m_sketch->law) &&
-                          m_shown->shaped == m_sketch->shaped;
-    m_loaded->setFigure(
-        disturbanceFigure(m_sketch->loaded, m_steady.present ? m_steady.present->loaded : std::nullopt,
-                          m_bench.displayUnits().angle, DisturbanceLoad_A,
-                          isJudged ? m_shown->disturbance->band : std::optional<control::LoadBand>())
-            .value_or(widgets::Figure{}));
+                          m_shown->filtered == m_sketch->filtered;
+    m_loaded->setFigure(disturbanceFigure(m_sketch->loaded,
+                                          m_steady.present ? m_steady.present->loaded : std::nullopt,
+                                          m_bench.displayUnits().angle, DisturbanceLoad_A,
+                                          isJudged ? m_shown->disturbance->band
+                                                   : std::optional<control::DisturbanceEnvelope>())
+                            .value_or(widgets::Figure{}));
 }
 
 void TunePanel::drawPredictions() {

@@ -1,7 +1,7 @@
 // Gains of the Tune panel out of files and into them.
+#include "app/documents/filtered_gains.h"
 #include "app/documents/law_code.h"
 #include "app/documents/result_documents.h"
-#include "app/documents/shaped_gains.h"
 #include "app/tuning/gains_judgement.h"
 #include "app/workbench/document_files.h"
 #include "app/workspaces/tune/tune_panel.h"
@@ -19,7 +19,7 @@ void TunePanel::openGains() {
     if (path.isEmpty()) {
         return;
     }
-    m_opening.run([path] { return readShapedGains(path.toStdString()); },
+    m_opening.run([path] { return readFilteredGains(path.toStdString()); },
                   [this, path](const Result<GainsFile>& gains) { takeFromFile(path, gains); });
 }
 
@@ -50,12 +50,13 @@ void TunePanel::saveGains() {
     }
     saveText(
         this, m_chooser,
-        {tr("Save gains"), QStringLiteral("gains.json"), tr("Gains (*.json);;The law as C (*.c)")}, m_files,
+        {tr("Save gains"), QStringLiteral("gains.json"), tr("Gains (*.json);;Control law as C code (*.c)")},
+        m_files,
         [header = m_bench.designHeader(), result = *m_shown,
          conditions = m_conditions](const std::string& path) {
             const bool isCode = path.ends_with(".c");
             const LawOrigin origin{result.method, header.device};
-            return isCode ? lawCode({result.law, result.shaped}, conditions, origin)
+            return isCode ? lawCode({result.law, result.filtered}, conditions, origin)
                           : toJsonText(gainsDocument(header, result));
         },
         [this](const QString& path, const Result<void>& written) {

@@ -76,7 +76,7 @@ void TunePanel::record(const QString& what, const QString& key) {
 void TunePanel::recordChoice() {
     m_sliders->sayProblem({});
     if (m_form->targets()) { // else it is being typed
-        record(tr("Gains by %1").arg(designTitle(m_form->method())),
+        record(tr("Gain source: %1").arg(designTitle(m_form->method())),
                QString::fromStdString(m_form->method()));
     }
 }
@@ -108,7 +108,7 @@ void TunePanel::goTo(const GainChoice& choice) {
     const LoopLaw law = m_restored ? m_restored->loopLaw() : choice.law;
     if (m_restored || m_form->origin() == TuneForm::Origin::Edited) {
         m_gains->setLaw(law.law);
-        m_filters->setShaping(law.shaped);
+        m_filters->setShaping(law.filtered);
     }
     refreshHistory();
     ask();

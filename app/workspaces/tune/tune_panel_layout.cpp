@@ -168,44 +168,61 @@ QWidget* TunePanel::buildVerification() {
     return page;
 }
 
+/// Why there is nothing to tune, with the way out.
+void TunePanel::refreshEmpty() {
+    const DeviceSession& session = m_bench.session();
+    const std::size_t axes = session.catalogue().axes.size();
+    const bool isOther =
+        session.state() == SessionState::Connected && axes > 0 && !session.catalogue().hasProcedure("tune");
+    if (isOther) {
+        m_empty->setWords(tr("Tuning is not available for this device"),
+                          tr("%n control loop(s), no identification procedure. Edit the gains in Parameters "
+                             "and check them with a reference in Drive.",
+                             nullptr, static_cast<int>(axes)));
+    } else if (session.state() == SessionState::Connected && axes > 1) {
+        m_empty->setWords(tr("No axes to tune yet"),
+                          tr("Gains are designed for identified axes and verified by a step of each axis "
+                             "before they are kept."),
+                          tr("Identify the axes"));
+    } else {
+        m_empty->setWords(
+            tr("No motor to tune"),
+            tr("Gains are designed for an identified motor and verified by a move before they are kept."),
+            tr("Identify the motor"));
+    }
+}
+
 void TunePanel::refreshWords() {
     const DisplayUnits& units = m_bench.displayUnits();
-    m_empty->setWords(tr("No motor to tune yet"),
-                      tr("Gains are designed for an identified motor, with everything that is predicted of "
-                         "them, and proved by a move before they stay."),
-                      tr("Identify the motor"));
+    refreshEmpty();
     m_empty->setIconName(QStringLiteral("settings"));
     say(*m_apply, tr("Apply and verify"),
-        tr("All gains at once, then a step that must go as predicted; Esc stops it"));
-    m_inSteps->setText(tr("In small steps"));
+        tr("Write all gains together, then verify with a step; Esc stops it"));
+    m_inSteps->setText(tr("Apply gradually"));
     m_inSteps->setToolTip(
-        tr("From the gains that run to the new ones in steps that change K_P and K_P + K_D/T by half at "
-           "most, each judged before it is written and proved by a move; if one leaves its band, the "
-           "gains from before run again"));
+        tr("Change K_P and K_P + K_D/T by at most half in each step. Each step is assessed before writing "
+           "and verified by a move; on failure the previous gains are restored"));
     m_inSteps->setAccessibleName(m_inSteps->text());
     say(*m_keep, tr("Keep"),
-        tr("The new gains stay until the device is switched off or, for a simulated one, disconnected; Save "
-           "in the device, in the Parameters panel, keeps them longer"));
-    say(*m_restore, tr("Restore"), tr("The gains from before run again"));
-    say(*m_save, tr("Save gains\u2026"), tr("Write the file that the program's analyse reads"));
+        tr("New gains active until power-off (simulated: until disconnect). To keep them: Save to device, in "
+           "the Parameters panel"));
+    say(*m_restore, tr("Restore"), tr("Restore the previous gains"));
+    say(*m_save, tr("Save gains\u2026"), tr("Save gains to a file"));
     say(*m_open, tr("Open gains\u2026"),
-        tr("Gains of a file become the proposed ones; they are judged for this motor before they can be "
-           "applied"));
+        tr("Use the gains of a file as proposed gains; they are assessed before they can be applied"));
     refreshOutlook();
     refreshMeasuredWords();
     refreshHistory();
     m_figures->setTitle(m_loop, tr("Open loop"), tr("Bode, Nyquist and Nichols plot, and sensitivity"));
     m_figures->setTitle(m_large, tr("Step of %1").arg(angleText(LargeStep_rad, units)),
                         tr("A large step with friction and current limit"));
-    m_figures->setTitle(m_linear, tr("Small step"), tr("The step of the linear loop"));
-    m_figures->setTitle(m_loaded, tr("Disturbance"),
-                        tr("What a load that appears at once does to the angle"));
-    m_figures->setTitle(m_numbers, tr("Numbers"), tr("Every predicted figure, margins with their interval"));
-    m_figures->setTitle(m_table, tr("Designs"), tr("Designs kept under a name, beside the proposed one"));
+    m_figures->setTitle(m_linear, tr("Small step"), tr("Step of the linear loop"));
+    m_figures->setTitle(m_loaded, tr("Disturbance"), tr("Effect of a load step on the angle"));
+    m_figures->setTitle(m_numbers, tr("Numbers"), tr("All predicted figures, margins with intervals"));
+    m_figures->setTitle(m_table, tr("Designs"), tr("Saved designs, compared with the proposed gains"));
     m_figures->setTitle(m_verificationPage, tr("Verification"),
-                        tr("The measured move over its prediction; there is one after Apply and verify"));
-    m_figures->setTitle(m_whatIfPage, tr("What if"),
-                        tr("A recorded move, and what the proposed gains would have made of it"));
+                        tr("Measured move and prediction, after Apply and verify"));
+    m_figures->setTitle(m_whatIfPage, tr("What-if"), tr("Replay of a recorded move with the proposed gains"));
     m_figures->setAccessibleName(tr("Predictions"));
     drawVerification();
     refreshModel();
@@ -225,7 +242,7 @@ void TunePanel::refreshOutlook() {
                                .arg(widgets::inWords(reason->message), widgets::inWords(reason->hint)));
         return;
     }
-    m_outlook->setToolTip(tr("Counted from where the rotor is when it starts"));
+    m_outlook->setToolTip(tr("Relative to the start position of the rotor"));
     const devices::Catalogue& catalogue = m_bench.session().catalogue();
     const DisplayUnits& units = m_bench.displayUnits();
     m_outlook->setText(m_inSteps->isChecked()

@@ -9,18 +9,17 @@ namespace halbench::app {
 
 void TunePanel::keep() {
     m_before.clear();
-    QString remedy = tr("To have them after that too: Save in the device, in the Parameters panel.");
+    QString remedy = tr("To keep them: Save to device, in the Parameters panel.");
     if (m_undecided) {
         m_onDevice = std::exchange(m_undecided, std::nullopt);
         const QString design = keptDesignOf(*m_onDevice, tr("kept on %1"));
-        remedy =
-            m_onDevice->isSimulated
-                ? tr("This project has them as the design '%1', to be applied again after that.").arg(design)
-                : remedy + QLatin1Char(' ') + tr("This project has them as the design '%1'.").arg(design);
+        remedy = m_onDevice->isSimulated
+                     ? tr("They are saved as design '%1' and can be applied again.").arg(design)
+                     : remedy + QLatin1Char(' ') + tr("They are saved as design '%1'.").arg(design);
     }
     const bool isSimulated = m_bench.session().info().isSimulated; // new whenever it is connected
-    const QString until = isSimulated ? tr("The new gains run until the simulated device is disconnected.")
-                                      : tr("The new gains run until the device is switched off.");
+    const QString until =
+        isSimulated ? tr("New gains active until disconnect.") : tr("New gains active until power-off.");
     m_bench.session().message(MessageLevel::Info, tr("Tune"), until);
     tellOfDevice({widgets::Severity::Information, until, remedy, {}});
     refreshButtons();
@@ -55,15 +54,13 @@ void TunePanel::leaveGains() {
         keptDesignOf(*kept, tr("kept on %1")); // whatever became of it meanwhile
     }
     const QString design = keptDesignOf(gains, undecided ? tr("applied on %1") : tr("kept on %1"));
-    const QString what = undecided ? tr("The gains that were applied on %1 were neither kept nor restored.")
-                                   : tr("The gains that were kept on %1 were left with it.");
-    const QString until = gains.isSimulated
-                              ? tr("A simulated device is new whenever it is connected and has them no more.")
-                              : tr("It has them until it is switched off.");
+    const QString what = undecided ? tr("Gains applied on %1 were neither kept nor restored.")
+                                   : tr("%1 was disconnected with the kept gains.");
+    const QString until = gains.isSimulated ? tr("A simulated device is reset on disconnect.")
+                                            : tr("They stay active until power-off.");
     const QString text = what.arg(gains.device) + QLatin1Char(' ') + until;
     const QString remedy =
-        tr("This project has them as the design '%1': Take up, then Apply and verify, runs them again.")
-            .arg(design);
+        tr("They are saved as design '%1'. To use them: Use this design, then Apply and verify.").arg(design);
     m_bench.session().message(MessageLevel::Info, tr("Tune"), text + QLatin1Char(' ') + remedy);
     Q_EMIT gainsLeft(text, remedy, design);
 }

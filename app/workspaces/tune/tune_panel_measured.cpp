@@ -49,12 +49,11 @@ void TunePanel::useMeasured(const MeasuredPlant& plant) {
     const auto used = std::count(loop->isUsed.begin(), loop->isUsed.end(), true);
     m_measured = plant;
     refreshMeasuredWords();
-    m_message->showMessage({widgets::Severity::Information,
-                            tr("The measured response is drawn into the open loop, with the proposed gains."),
-                            tr("%1 of its %2 frequencies are coherent; the others are hollow.")
-                                .arg(used)
-                                .arg(loop->isUsed.size()),
-                            {}});
+    m_message->showMessage(
+        {widgets::Severity::Information,
+         tr("Measured response shown in the open loop, with the proposed gains."),
+         tr("%1 of %2 frequencies are coherent; the others are hollow.").arg(used).arg(loop->isUsed.size()),
+         {}});
     drawPredictions();
 }
 
@@ -75,10 +74,9 @@ void TunePanel::refreshMeasuredWords() {
     const QString text = m_measured ? tr("Remove the response") : tr("Measured response\u2026");
     m_measure->setText(text);
     m_measure->setAccessibleName(text);
-    m_measure->setToolTip(
-        m_measured ? tr("The open loop shows predictions alone again")
-                   : tr("Draw what identify --frequency measured into the open loop, with the gains proposed "
-                        "here: no model of the motor is in it"));
+    m_measure->setToolTip(m_measured ? tr("Show only predictions in the open loop")
+                                     : tr("Show the response measured with identify --frequency in the open "
+                                          "loop, with the proposed gains (no motor model)"));
 }
 
 } // namespace halbench::app

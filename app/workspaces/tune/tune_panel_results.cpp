@@ -3,14 +3,15 @@
 #include "app/figures/tuning_figures.h"
 #include "app/procedures/tune/loop_verdict.h"
 #include "app/procedures/tune/position_law_parameters.h"
-#include "app/workbench/departure_words.h"
+#include "app/workbench/departure_text.h"
 #include "app/workspaces/parts/foreign_motor_notice.h"
 #include "app/workspaces/parts/page_chooser.h"
 #include "app/workspaces/parts/preflight.h"
+#include "app/workspaces/parts/quality_view.h"
 #include "app/workspaces/tune/filter_editor.h"
 #include "app/workspaces/tune/gain_editor.h"
 #include "app/workspaces/tune/loop_view.h"
-#include "app/workspaces/tune/rest_ripple.h"
+#include "app/workspaces/tune/standstill_ripple.h"
 #include "app/workspaces/tune/tune_form.h"
 #include "app/workspaces/tune/tune_numbers.h"
 #include "app/workspaces/tune/tune_panel.h"
@@ -31,22 +32,8 @@
 namespace halbench::app {
 namespace {
 
-widgets::VerdictLevel levelOf(Verdict verdict) {
-    return verdict == Verdict::Good       ? widgets::VerdictLevel::Good
-           : verdict == Verdict::Doubtful ? widgets::VerdictLevel::Doubtful
-                                          : widgets::VerdictLevel::Refused;
-}
-
-std::vector<widgets::Remark> remarksOf(const std::vector<Finding>& findings) {
-    std::vector<widgets::Remark> remarks;
-    for (const Finding& finding : findings) {
-        remarks.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
-    }
-    return remarks;
-}
-
-/// A verdict that rests on an assumption says so, and does not look like one that rests on data. Of another
-/// motor than the one that is connected, it is doubtful before everything else.
+/// A verdict that rests on an assumption or is near the limit of stability says so and does not look good. Of
+/// another motor than the one that is connected, it is doubtful before everything else.
 void showVerdict(widgets::VerdictView& view, const TuneResult& proposed,
                  const std::optional<Finding>& foreign) {
     std::vector<Finding> warnings = proposed.warnings;
@@ -55,8 +42,9 @@ void showVerdict(widgets::VerdictView& view, const TuneResult& proposed,
         warnings.insert(warnings.begin(), *foreign);
         verdict = verdict == Verdict::Good ? Verdict::Doubtful : verdict;
     }
-    const bool isAssumed = verdict == Verdict::Good && restsOnAssumption(warnings);
-    view.setVerdict(isAssumed ? widgets::VerdictLevel::Doubtful : levelOf(verdict),
+    const bool isLimited =
+        verdict == Verdict::Good && (restsOnAssumption(warnings) || isNearStabilityLimit(warnings));
+    view.setVerdict(isLimited ? widgets::VerdictLevel::Doubtful : verdictLevel(verdict),
                     widgets::inWords(loopVerdict(verdict, warnings, true)), remarksOf(warnings));
 }
 
@@ -68,8 +56,8 @@ QString rippleOf(const ApplyResult& verified, const LoopConditions& conditions, 
     }
     const auto law = loopLawFromParameters(values, conditions.timing.period_s);
     const auto ripple =
-        law && !law->shaped && verified.quality.verdict != Verdict::Refused
-            ? restRipple(verified.verification->recording, law->law.gains, conditions.timing.period_s)
+        law && !law->filtered && verified.quality.verdict != Verdict::Refused
+            ? standstillRipple(verified.verification->recording, law->law.gains, conditions.timing.period_s)
             : std::nullopt;
     return ripple ? rippleWords(*ripple, units) : QString();
 }
@@ -92,7 +80,7 @@ void TunePanel::showSketch(Result<TuneSketch> sketch) {
     }
     if (m_form->origin() != TuneForm::Origin::Edited) {
         m_gains->setLaw(sketch->law);
-        m_filters->setShaping(sketch->shaped);
+        m_filters->setShaping(sketch->filtered);
     }
     m_sketch = *std::move(sketch);
     m_steady = m_sketch->steady;
@@ -187,18 +175,18 @@ std::optional<Error> TunePanel::obstacle() const {
     if (!m_sketch || m_bench.session().state() != SessionState::Connected) {
         return std::nullopt;
     }
-    if (m_sketch->shaped && m_inSteps->isChecked()) {
+    if (m_sketch->filtered && m_inSteps->isChecked()) {
         return Error{ErrorCode::Refused,
-                     "gains with set-point weights or filters are applied at once, not in small steps",
-                     "switch small steps off"};
+                     "gains with set-point weights or filters cannot be applied gradually",
+                     "switch gradual applying off"};
     }
     const auto offered =
-        checkOffered(asShaped(m_sketch->loopLaw()), boardLawSpec(m_bench.session().catalogue()));
+        checkOffered(asFiltered(m_sketch->loopLaw()), boardLawSpec(m_bench.session().catalogue()));
     return offered ? std::nullopt : std::optional(offered.error());
 }
 
 void TunePanel::apply() {
-    const LoopLaw law(m_shown->law, m_shown->shaped);
+    const LoopLaw law(m_shown->law, m_shown->filtered);
     const auto values = lawForDevice(law, m_bench.session().catalogue());
     if (!values) {
         showError(values.error());
@@ -211,7 +199,7 @@ void TunePanel::apply() {
     m_message->clear();
     forgetVerification();
     m_isOfThisMotor = true;
-    m_preflight->setRunning(tr("This verification is running"));
+    m_preflight->setRunning(tr("Verification running"));
     startApplying(law, *values);
     if (!m_isApplying) {
         m_preflight->setRunning({});
@@ -234,8 +222,7 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
             m_toldOfDevice.clear(); // it stays when the device is gone
             m_message->showMessage(*departure);
         } else if (result.error().code == ErrorCode::Interrupted) {
-            tellOfDevice(
-                {widgets::Severity::Information, tr("Cancelled; the gains from before run again."), {}, {}});
+            tellOfDevice({widgets::Severity::Information, tr("Cancelled. Previous gains restored."), {}, {}});
         } else {
             showError(result.error());
         }
@@ -256,13 +243,12 @@ void TunePanel::finishApply(const Result<ApplyResult>& result) {
         }
         m_undecided = m_applying;
         m_decision.start(LeastLook_ms);
-        const QString done = tr("Applied, and the verification move went as predicted.");
+        const QString done = tr("Applied and verified: the move matched the prediction.");
         m_bench.session().message(MessageLevel::Info, tr("Tune"), done);
         tellOfDevice(
-            {widgets::Severity::Success, done, tr("Keep the new gains, or restore those from before."), {}});
+            {widgets::Severity::Success, done, tr("Keep the new gains, or restore the previous ones."), {}});
     } else {
-        const QString undone =
-            tr("Not kept, the gains from before run again: %1").arg(firstFinding(result->quality));
+        const QString undone = tr("Not kept, previous gains restored: %1").arg(firstFinding(result->quality));
         m_bench.session().message(MessageLevel::Warning, tr("Tune"), undone);
         tellOfDevice({widgets::Severity::Warning,
                       undone,
@@ -291,7 +277,7 @@ void TunePanel::forgetVerification() {
     if (m_verified) {
         m_verified.reset();
         m_verification->setFigure({});
-        m_agreement->setVerdict(widgets::VerdictLevel::Doubtful, tr("Nothing verified yet"), {});
+        m_agreement->setVerdict(widgets::VerdictLevel::Doubtful, tr("No verification yet"), {});
         if (!m_verificationPage->isHidden()) { // else another picture is chosen
             m_figures->setCurrent(m_loop);
         }
@@ -336,18 +322,16 @@ void TunePanel::showAgreement(const std::vector<widgets::Remark>& remarks) {
     const bool isOfShown = m_applying && m_sketch && !m_problem &&
                            isSameLaw(m_sketch->loopLaw(), m_applying->law, m_conditions.timing.period_s);
     if (isWithin && (m_isUndone || !isOfShown)) {
-        m_agreement->setVerdict(
-            widgets::VerdictLevel::Doubtful,
-            m_isUndone ? tr("Within the predicted band, but these gains do not run any more")
-                       : tr("Within the predicted band: the gains that were applied, not those shown now"),
-            remarks);
+        m_agreement->setVerdict(widgets::VerdictLevel::Doubtful,
+                                m_isUndone ? tr("Within the predicted band (gains no longer active)")
+                                           : tr("Within the predicted band (applied gains, not those shown)"),
+                                remarks);
         return;
     }
     m_agreement->setVerdict(isWithin ? widgets::VerdictLevel::Good : widgets::VerdictLevel::Refused,
                             isWithin    ? tr("Within the predicted band")
                             : isOfShown ? tr("Outside the predicted band")
-                                        : tr("Outside the predicted band: the gains that were applied, not "
-                                             "those shown now"),
+                                        : tr("Outside the predicted band (applied gains, not those shown)"),
                             remarks);
 }
 
@@ -365,7 +349,7 @@ void TunePanel::restore() {
         self->m_undecided.reset();
         self->m_isUndone = true;
         self->drawVerification();
-        const QString done = tr("The gains from before run again.");
+        const QString done = tr("Previous gains restored.");
         self->m_bench.session().message(MessageLevel::Info, tr("Tune"), done);
         self->tellOfDevice({widgets::Severity::Success, done, {}, {}});
         self->refreshButtons();

@@ -45,7 +45,7 @@ bool TunePanel::startShaping(bool isHeld) {
     const LoopLaw drawn = m_sketch->loopLaw();
     m_shaping->law = m_form->origin() == TuneForm::Origin::Edited ? editedLaw().value_or(drawn) : drawn;
     m_shaping->aim = control::crossoverAimOf(*plant, m_conditions.timing, m_shaping->law.law.gains,
-                                             m_shaping->law.shaped.value_or(control::ShapedLaw{}));
+                                             m_shaping->law.filtered.value_or(control::FilteredLaw{}));
     m_shaping->isHeld = isHeld;
     return true;
 }
@@ -82,14 +82,14 @@ void TunePanel::shape(Shaping::Kind kind, double value) {
 
 /// Gains for what is wanted, as near as this motor allows; weights and filters stay. Nothing goes to the
 /// device.
-Result<LoopLaw> TunePanel::shapedLaw() {
+Result<LoopLaw> TunePanel::filteredLaw() {
     const auto plant = plantFromEstimate(motorEstimate(*m_bench.identification()));
     if (!plant) {
         return failure(plant.error());
     }
     const control::LoopTiming& timing = m_conditions.timing;
     LoopLaw law = m_shaping->law;
-    const control::ShapedLaw around = law.shaped.value_or(control::ShapedLaw{});
+    const control::FilteredLaw around = law.filtered.value_or(control::FilteredLaw{});
     control::PidGains& gains = law.law.gains;
     if (m_shaping->kind == Shaping::Kind::Gain) {
         constexpr double Least_ratio = 1e-3; // a loop of zero has no way back
@@ -98,8 +98,7 @@ Result<LoopLaw> TunePanel::shapedLaw() {
         gains.proportional *= factor;
         gains.integral *= factor;
         gains.derivative *= factor;
-        m_sliders->sayProblem(factor == wanted ? QString()
-                                               : tr("More gain would be unstable: it stays below."));
+        m_sliders->sayProblem(factor == wanted ? QString() : tr("More gain would be unstable: limited."));
     } else {
         const auto priority = m_shaping->kind == Shaping::Kind::Margin ? control::CrossoverPriority::Crossover
                                                                        : control::CrossoverPriority::Margin;
@@ -110,16 +109,16 @@ Result<LoopLaw> TunePanel::shapedLaw() {
         m_sliders->sayLimit(*m_shaping->aim, *design);
         gains = design->gains;
     }
-    if (law.shaped) {
-        law.shaped->gains = gains;
-        law.shaped->gains.filter_s = around.gains.filter_s;
+    if (law.filtered) {
+        law.filtered->gains = gains;
+        law.filtered->gains.filter_s = around.gains.filter_s;
     }
     return law;
 }
 
 void TunePanel::takeShape() {
     m_shaping->isWaiting = false;
-    const auto law = shapedLaw();
+    const auto law = filteredLaw();
     const control::PidGains gains = law.value_or(LoopLaw{}).law.gains;
     const bool isNumber = law && std::isfinite(gains.proportional) && std::isfinite(gains.integral) &&
                           std::isfinite(gains.derivative);
@@ -165,7 +164,7 @@ void TunePanel::useEdited(const LoopLaw& law) {
     forgetRestored();
     m_form->setEdited();
     m_gains->setLaw(law.law);
-    m_filters->setShaping(law.shaped);
+    m_filters->setShaping(law.filtered);
 }
 
 /// What stands in the fields.
@@ -174,8 +173,8 @@ Result<LoopLaw> TunePanel::editedLaw() const {
     if (!law) {
         return failure(law.error());
     }
-    auto shaped = m_filters->shaped(law->gains);
-    return shaped ? Result<LoopLaw>(LoopLaw(*law, *std::move(shaped))) : failure(shaped.error());
+    auto filtered = m_filters->filtered(law->gains);
+    return filtered ? Result<LoopLaw>(LoopLaw(*law, *std::move(filtered))) : failure(filtered.error());
 }
 
 /// The sliders are where the loop is. What was said of a move stands until something else is done.
@@ -202,7 +201,7 @@ void TunePanel::spreadLargeStep(const TuneResult& proposed) {
     const TuneConfig defaults;
     const LargeStep& step = *m_sketch->predicted.largeStep;
     m_spreading.run(
-        [motor = motorEstimate(*m_bench.identification()), law = LoopLaw(proposed.law, proposed.shaped),
+        [motor = motorEstimate(*m_bench.identification()), law = LoopLaw(proposed.law, proposed.filtered),
          conditions = proposed.conditions, span = StepSpan{step.amplitude_rad, step.duration_s()},
          draws = UncertaintyDraws{defaults.draws, defaults.seed}] {
             return largeStepBand(motor, law, conditions, span, draws);

@@ -117,7 +117,8 @@ void TunePanel::useRecording(const QString& path) {
 
 /// The gains of a recording that does not say them.
 void TunePanel::chooseRanGains() {
-    const QString path = m_chooser.open(this, {tr("Open the gains that ran"), {}, tr("Gains (*.json)")});
+    const QString path =
+        m_chooser.open(this, {tr("Open the active gains of the recording"), {}, tr("Gains (*.json)")});
     if (!path.isEmpty()) {
         m_message->clear();
         m_whatIfPage->use(m_refusedRecording, path, m_conditions);
@@ -131,20 +132,20 @@ void TunePanel::showRecording(const QString& path) {
     }
     if (!m_bench.identification()) {
         m_message->showMessage({widgets::Severity::Information,
-                                tr("The recording is shown once there is an identified motor."),
+                                tr("The recording is shown after a motor is identified."),
                                 {},
                                 {}});
     }
     proposeToWhatIf();
     m_figures->setCurrent(m_whatIfPage);
-    m_bench.session().message(MessageLevel::Info, tr("Tune"), tr("What if: %1").arg(path));
+    m_bench.session().message(MessageLevel::Info, tr("Tune"), tr("What-if: %1").arg(path));
 }
 
 void TunePanel::refuseRecording(const Error& error) {
     if (needsRanFile(error) && m_chooser.open) {
         m_message->showMessage({widgets::Severity::Error, widgets::inWords(error.message),
-                                tr("Choose the file of the gains that ran then."),
-                                tr("Gains that ran\u2026")});
+                                tr("Choose the file with the gains that were active during the recording."),
+                                tr("Recorded gains…")});
     } else {
         showError(error);
     }

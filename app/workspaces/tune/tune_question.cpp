@@ -1,7 +1,7 @@
 #include "app/workspaces/tune/tune_question.h"
 
 #include "control/analysis/loop_functions.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 
 #include <map>
 #include <utility>
@@ -12,8 +12,8 @@ namespace {
 
 Result<LoopLaw> lawOf(const TuneQuestion& question) {
     if (question.law) {
-        return question.law->shaped ? checkedLaw(*question.law, question.config.conditions.timing.period_s)
-                                    : *question.law;
+        return question.law->filtered ? checkedLaw(*question.law, question.config.conditions.timing.period_s)
+                                      : *question.law;
     }
     const auto plant = plantFromEstimate(question.motor);
     if (!plant) {
@@ -59,7 +59,7 @@ Result<TuneSketch> sketchTuning(const TuneQuestion& question) {
     if (!predicted) {
         return failure(predicted.error());
     }
-    TuneSketch sketch{law->law, law->shaped, std::move(*predicted), steadyPrediction(question)};
+    TuneSketch sketch{law->law, law->filtered, std::move(*predicted), steadyPrediction(question)};
     if (const auto& plants = sketch.steady.motors->plants) {
         auto uncertainty = loopUncertainty(*plants, *law, question.config.conditions, sketch.predicted);
         if (uncertainty) {
@@ -85,7 +85,8 @@ Result<JudgedLoop> judgeLoop(const MotorEstimate& motor, const LoopLaw& law,
         return failure(predicted.error());
     }
     const auto plant = plantFromEstimate(motor);
-    const auto open = control::deltaOpenLoop(*plant, asShaped(law), conditions.timing); // as it was analysed
+    const auto open =
+        control::deltaOpenLoop(*plant, asFiltered(law), conditions.timing); // as it was analysed
     return JudgedLoop{*std::move(predicted), open ? control::closedBandwidth_rad_s(*open) : std::nullopt};
 }
 

@@ -21,15 +21,15 @@ struct TuneQuestion {
 
 /// What can be drawn at once: some milliseconds.
 struct TuneSketch {
-    control::PositionLaw law;                 ///< parallel form, A/rad
-    std::optional<control::ShapedLaw> shaped; ///< what no board runs of it
+    control::PositionLaw law;                     ///< parallel form, A/rad
+    std::optional<control::FilteredLaw> filtered; ///< what no board runs of it
     AnalysisResult predicted;
     SteadyPrediction steady;                         ///< with the gains on the device
     std::optional<LoopUncertainty> uncertainty = {}; ///< nothing: not known of this motor
-    std::optional<Result<WhatIf>> whatIf = {};       ///< of the question's record; refused for a shaped law
+    std::optional<Result<WhatIf>> whatIf = {};       ///< of the question's record; refused for a filtered law
     std::optional<control::LoadStep> loaded = {};    ///< under load; nothing for a loop that is unstable
 
-    LoopLaw loopLaw() const { return {law, shaped}; }
+    LoopLaw loopLaw() const { return {law, filtered}; }
 };
 /// A pure function. What the device's present gains make unjudgeable is left out. Errors: as of
 /// answerTuning.

@@ -77,15 +77,14 @@ QWidget* WhatIfPage::buildAnswer() {
 }
 
 void WhatIfPage::refreshWords() {
-    m_empty->setWords(
-        tr("No recording is chosen"),
-        tr("A recorded move is shown with what the proposed gains would have made of it, if the "
-           "identified motor explains it."),
-        tr("Open a recorded move"));
+    m_empty->setWords(tr("No recording selected"),
+                      tr("What-if: replay a recorded move with the proposed gains. Needs an identified motor "
+                         "that matches the recording."),
+                      tr("Open a recorded move"));
     m_other->setText(tr("Another move\u2026"));
     m_other->setToolTip(tr("Choose another recording"));
     m_remove->setText(tr("Remove"));
-    m_remove->setToolTip(tr("This page is empty again; the recording stays"));
+    m_remove->setToolTip(tr("Clear this page; the recording is kept"));
     draw();
 }
 
@@ -216,20 +215,19 @@ void WhatIfPage::showVerdict() {
     if (!m_ran) {
         m_verdict->setVerdict(VerdictLevel::Doubtful, {}, {});
     } else if (m_unjudged || isWithheld || (m_predicted && !*m_predicted)) {
-        m_verdict->setVerdict(VerdictLevel::Refused,
-                              tr("%1: withheld, what the proposed gains would make of it").arg(name),
+        m_verdict->setVerdict(VerdictLevel::Refused, tr("%1: no prediction for the proposed gains").arg(name),
                               remarks());
     } else if (!m_record) {
         m_verdict->setVerdict(VerdictLevel::Doubtful,
-                              m_bench.identification() ? tr("%1 is being judged").arg(name)
-                                                       : tr("%1 waits for an identified motor").arg(name),
+                              m_bench.identification() ? tr("Assessing %1").arg(name)
+                                                       : tr("%1: identify the motor first").arg(name),
                               {});
     } else {
         const auto& quality = m_spread ? m_spread->quality : m_record->quality;
         m_verdict->setVerdict(quality.verdict == Verdict::Good ? VerdictLevel::Good : VerdictLevel::Doubtful,
                               quality.verdict == Verdict::Good
-                                  ? tr("%1: the identified loop explains the recorded move").arg(name)
-                                  : tr("%1: doubtful, as said below").arg(name),
+                                  ? tr("%1: the identified model matches the recorded move").arg(name)
+                                  : tr("%1: doubtful, see below").arg(name),
                               remarks());
     }
 }
@@ -239,7 +237,7 @@ std::vector<Remark> WhatIfPage::remarks() const {
         return {{widgets::inWords(m_unjudged->message), widgets::inWords(m_unjudged->hint)}};
     }
     std::vector<Remark> result;
-    result.push_back({tr("%1 % of the recorded motion lie outside the band of the gains that ran.")
+    result.push_back({tr("%1 % of the recorded motion are outside the band of the recorded gains.")
                           .arg(widgets::numberText(100.0 * m_record->outside_ratio, 2)),
                       {}});
     if (m_predicted) {
@@ -249,7 +247,7 @@ std::vector<Remark> WhatIfPage::remarks() const {
     }
     if (isOfRan()) {
         result.push_back(
-            {tr("The proposed gains are those that ran: the recording is what they make of it."), {}});
+            {tr("The proposed gains equal the recorded gains: the recording shows their result."), {}});
     }
     for (const Finding& finding : m_record->quality.findings) {
         result.push_back({widgets::inWords(finding.message), widgets::inWords(finding.hint)});
@@ -293,7 +291,7 @@ struct Words {
 std::vector<Remark> whatIfRemarks(const RecordedMove& move, const Result<WhatIf>& whatIf,
                                   const std::optional<WhatIf>& spread, const DisplayUnits& units) {
     if (!whatIf) {
-        return {{Words::tr("What the proposed gains would make of this move is not said: %1")
+        return {{Words::tr("No prediction for the proposed gains: %1")
                      .arg(widgets::inWords(whatIf.error().message)),
                  widgets::inWords(whatIf.error().hint)}};
     }
@@ -302,9 +300,7 @@ std::vector<Remark> whatIfRemarks(const RecordedMove& move, const Result<WhatIf>
     const MotionFigures was = motionFigures(move.reference_rad, move.position_rad);
     if (would.overshoot_rad && was.overshoot_rad) {
         remarks.push_back(
-            {Words::tr(
-                 "With the proposed gains this move would overshoot by %1 instead of %2 and end %3 from "
-                 "its set-point instead of %4.")
+            {Words::tr("With the proposed gains: overshoot %1 instead of %2, final error %3 instead of %4.")
                  .arg(angleText(*would.overshoot_rad, units), angleText(*was.overshoot_rad, units),
                       angleText(std::abs(would.finalError_rad), units),
                       angleText(std::abs(was.finalError_rad), units)),

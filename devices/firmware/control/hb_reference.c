@@ -21,13 +21,30 @@ static uint32_t ticksOf(float seconds) {
 #define PHASE_TURN ((uint64_t)1000 << 32)
 
 static hb_phase advanced(hb_phase phase, float frequency_Hz) {
-    phase += (uint64_t)(frequency_Hz * PHASE_PER_HZ) * HB_TICK_MS;
+    uint32_t whole_Hz = (uint32_t)frequency_Hz;
+    /* Exact, and without 64 bit floating point arithmetic. */
+    uint64_t step = ((uint64_t)whole_Hz << 32) + (uint32_t)((frequency_Hz - (float)whole_Hz) * PHASE_PER_HZ);
+    phase += step * HB_TICK_MS;
     return phase >= PHASE_TURN ? phase - PHASE_TURN : phase;
 }
 
+/* As (float)value, rounded once; compilers for a processor without double precision make a long call of that.
+ * Below 2^41. */
+static float rounded(uint64_t value) {
+    uint8_t shift = 0;
+    uint32_t kept;
+    while ((value >> shift) > 0xFFFFFFFFU) {
+        shift++;
+    }
+    kept = (uint32_t)(value >> shift);
+    kept |= ((uint64_t)kept << shift) != value ? 1U : 0U; /* what is cut off decides a tie */
+    return (float)kept * (float)(1UL << shift);
+}
+
 static float radiansOf(hb_phase phase) {
-    int64_t centred = (int64_t)phase - (phase > PHASE_TURN / 2 ? (int64_t)PHASE_TURN : 0);
-    return (float)centred * (HB_TWO_PI / (1000.0F * PHASE_PER_HZ));
+    uint8_t is_behind = phase > PHASE_TURN / 2U;
+    float size = rounded(is_behind ? PHASE_TURN - phase : phase);
+    return (is_behind ? -size : size) * (HB_TWO_PI / (1000.0F * PHASE_PER_HZ));
 }
 
 #else
@@ -103,10 +120,14 @@ static hb_reference_point multisine(const hb_reference* reference) {
     for (uint16_t line = 0; line < lines; line++) {
         float phase = radiansOf(reference->line_phase[line]);
         float omega = HB_TWO_PI * lineFrequency(&reference->config, line);
-        float value = scale * sinf(phase);
+        float sine_now;
+        float cosine_now;
+        float value;
+        hb_sine_cosine(phase, &sine_now, &cosine_now);
+        value = scale * sine_now;
         point.value += value;
         if (reference->holds_position) {
-            point.speed += omega * scale * cosf(phase);
+            point.speed += omega * scale * cosine_now;
             point.acceleration -= omega * omega * value;
         }
     }

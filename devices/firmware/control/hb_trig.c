@@ -76,10 +76,47 @@ float hb_angle_of(float y, float x) {
 
 #else
 
+#if HB_FEATURE_FUSED_TRIG
+
+/* pi/2 in two parts of single precision, the first one rounded. */
+#define QUARTER_TURN_HIGH 1.57079637F
+#define QUARTER_TURN_LOW -4.37113883e-8F
+
+/* Both from the rest of one division by a quarter turn: minimax polynomials over +-pi/4 (those of FreeBSD's
+ * k_sinf.c and k_cosf.c in single precision), then the quadrant. */
+void hb_sine_cosine(float angle_rad, float* sine, float* cosine) {
+    float quarters = angle_rad * (4.0F / HB_TWO_PI);
+    int32_t quadrant = (int32_t)(quarters + (quarters < 0.0F ? -0.5F : 0.5F));
+    float rest = fmaf(-(float)quadrant, QUARTER_TURN_HIGH, angle_rad);
+    float square;
+    float s;
+    float c;
+    rest = fmaf(-(float)quadrant, QUARTER_TURN_LOW, rest);
+    square = rest * rest;
+    s = fmaf(square, fmaf(square, fmaf(square, 2.71831149e-6F, -1.98393348e-4F), 8.33332911e-3F),
+             -1.66666667e-1F);
+    s = fmaf(rest * square, s, rest);
+    c = fmaf(square, fmaf(square, fmaf(square, 2.43904487e-5F, -1.38867637e-3F), 4.16666233e-2F),
+             -4.99999997e-1F);
+    c = fmaf(square, c, 1.0F);
+    *sine = ((uint32_t)quadrant & 1U) != 0U ? c : s;
+    *cosine = ((uint32_t)quadrant & 1U) != 0U ? s : c;
+    if (((uint32_t)quadrant & 2U) != 0U) {
+        *sine = -*sine;
+    }
+    if ((((uint32_t)quadrant + 1U) & 2U) != 0U) {
+        *cosine = -*cosine;
+    }
+}
+
+#else
+
 void hb_sine_cosine(float angle_rad, float* sine, float* cosine) {
     *sine = sinf(angle_rad);
     *cosine = cosf(angle_rad);
 }
+
+#endif
 
 float hb_angle_of(float y, float x) {
     return atan2f(y, x);

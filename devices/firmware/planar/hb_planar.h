@@ -12,8 +12,9 @@
  * or readings that give no pose, the currents are zero at once. */
 
 #include "devices/firmware/board/hb_board.h"
+#include "devices/firmware/control/hb_law.h"
 #include "devices/firmware/control/hb_reference.h"
-#include "devices/firmware/planar/hb_planar_law.h"
+#include "devices/firmware/planar/hb_planar_path.h"
 #include "devices/firmware/planar/hb_planar_profile.h"
 #include "devices/firmware/planar/hb_planar_tracker.h"
 #include "devices/firmware/planar/hb_planar_windings.h"
@@ -52,14 +53,29 @@ enum hb_planar_mode {
  */
 enum hb_planar_allocation { HB_ALLOCATION_SET_WISE, HB_ALLOCATION_FUNDAMENTAL, HB_ALLOCATION_FULL };
 
-/* A shape of the reference beyond those of hb_reference: `amplitude` is the distance, `rate` the largest
- * speed, with `reference.<axis>.acceleration`; in mode position only. */
-enum { HB_PLANAR_TRAPEZOID = HB_SHAPE_COUNT };
+/* Shapes of the reference beyond those of hb_reference: `amplitude` is the distance, `rate` the largest
+ * speed, with `reference.<axis>.acceleration` and, of the S-curve, `.jerk`; in mode position only. The last
+ * one is of an axis that follows `path`, and no value of a parameter. */
+enum { HB_PLANAR_TRAPEZOID = HB_SHAPE_COUNT, HB_PLANAR_S_CURVE, HB_PLANAR_ON_PATH };
+
+/* In mode position the reference of an axis goes where the law follows it, or is added to the force or torque
+ * that the law commands: an excitation of the closed loop. Trapezoid and S-curve add nothing. */
+enum hb_planar_target { HB_TARGET_POSITION, HB_TARGET_EFFORT };
 
 enum hb_planar_fault {
     HB_PLANAR_FAULT_LIFT = HB_FAULT_COUNT, /* vertical force near the weight */
     HB_PLANAR_FAULT_COUNT
 };
+
+/* What the position law (hb_law.h) has of one axis; effort in N or N m, position in m or rad. Defaults: the
+ * design of resources/help/planar-theory.md section 9, whose filter of 2 ms decays by exp(-1/2) in a sample.
+ */
+typedef struct {
+    float kp, ki, kd;
+    float reference_weight, derivative_reference_weight, derivative_filter_s;
+    hb_law_section sections[HB_LAW_SECTIONS];
+    float inertia; /* effort per acceleration of a profile */
+} hb_planar_gains;
 
 /* One calibration page, all float but the marks; order is the order on the wire. */
 typedef struct {
@@ -85,7 +101,10 @@ typedef struct {
     hb_board_live board;
     uint8_t home;
     hb_reference_config reference[HB_AXES];
-    float acceleration[HB_AXES]; /* of the trapezoid */
+    float acceleration[HB_AXES]; /* of trapezoid and S-curve */
+    float jerk[HB_AXES];         /* of the S-curve */
+    uint8_t target[HB_AXES];     /* HB_TARGET_... */
+    hb_path_config path;         /* where it has a shape, x and y follow it instead of their references */
     hb_board_capture capture;
 } hb_planar_live;
 
@@ -93,6 +112,7 @@ typedef struct {
     float position[HB_AXES]; /* m, m, rad */
     float speed[HB_AXES];
     float reference[HB_AXES]; /* N, N m in mode wrench */
+    float command[HB_AXES];   /* of law and excitation, about the centre of mass, before limit and delay */
     float effort[HB_AXES];    /* wrench of the currents that flow, by the board's own model */
     float current_A[HB_COILS];
     float field_T[HB_CHIP_FIELDS]; /* as read, not corrected */
@@ -115,8 +135,10 @@ typedef struct hb_planar {
     hb_planar_hardware hardware;
     hb_tracker tracker;
     hb_reference reference[HB_AXES];
+    hb_reference excitation[HB_AXES]; /* beside a reference that is held */
     hb_profile profile[HB_AXES];
-    float integral[HB_AXES];
+    hb_path path;
+    hb_law law[HB_AXES];
     float origin[HB_AXES];     /* pose where the mode began */
     float flowing_A[HB_COILS]; /* what the chips see until this tick */
     float pending_A[HB_PLANAR_DELAY][HB_COILS];

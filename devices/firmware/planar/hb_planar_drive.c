@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "devices/firmware/planar/hb_planar_internal.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -53,30 +54,71 @@ static uint8_t isStepped(uint8_t shape) {
     return shape == HB_SHAPE_NONE || shape == HB_SHAPE_STEP || shape == HB_SHAPE_STAIRCASE;
 }
 
-static void controlPosition(hb_planar* planar, const hb_planar_calibration* page) {
-    float effort[HB_AXES];
-    uint8_t may_integrate = planar->signals.current_scale >= 1.0F;
-    hb_wrench wrench;
+/* Of a profile, whose speed and acceleration are known, the proportional part sees all: no overshoot comes of
+ * that. The limit of the effort is that of the currents, and so is their delay. */
+static hb_law_config lawOf(const hb_planar_gains* gains, uint8_t is_stepped) {
+    hb_law_config config;
+    memset(&config, 0, sizeof config);
+    config.law = HB_LAW_POSITIONAL;
+    config.kp_A_per_rad = gains->kp;
+    config.ki_A_per_rad_s = gains->ki;
+    config.kd_As_per_rad = gains->kd;
+    config.reference_weight = is_stepped ? gains->reference_weight : 1.0F;
+    config.derivative_reference_weight = is_stepped ? gains->derivative_reference_weight : 0.0F;
+    config.derivative_filter_s = gains->derivative_filter_s;
+    memcpy(config.sections, gains->sections, sizeof config.sections);
+    config.inertia_As2_per_rad = gains->inertia;
+    config.limit_A = FLT_MAX;
+    config.period_s = TICK_S;
+    return config;
+}
+
+static float axisEffort(hb_planar* planar, const hb_planar_calibration* page, uint8_t axis) {
+    uint8_t is_stepped = isStepped(planar->reference[axis].config.shape);
+    hb_law_config config = lawOf(&page->gains[axis], is_stepped);
+    hb_reference_point point;
+    hb_law_input input;
+    point = hb_reference_evaluate(&planar->reference[axis]);
+    memset(&input, 0, sizeof input);
+    input.position_rad = planar->signals.position[axis] - planar->origin[axis];
+    input.reference_rad = planar->live.setpoint[axis] + point.value;
+    if (!is_stepped) {
+        /* The law knows the speed of the last period on average, half a period ago. */
+        input.reference_speed_rad_s = point.speed - 0.5F * TICK_S * point.acceleration;
+        input.reference_acceleration_rad_s2 = point.acceleration;
+    }
+    input.is_saturated = planar->signals.current_scale < 1.0F;
+    planar->signals.reference[axis] = planar->origin[axis] + input.reference_rad;
+    return hb_law_step(&planar->law[axis], &config, &input);
+}
+
+static void keepPathPoint(hb_planar* planar) {
+    hb_reference_point point[HB_PATH_AXES];
+    hb_path_point(&planar->path, point);
+    for (uint8_t i = 0; i < HB_PATH_AXES; i++) {
+        planar->reference[i].held = point[i];
+    }
+}
+
+/* The reference holds the present point of a travel or of the path. */
+static void takeTravelPoints(hb_planar* planar) {
     for (uint8_t i = 0; i < HB_AXES; i++) {
-        hb_reference_point point;
-        hb_planar_law_input input;
         if (planar->profile[i].running) {
             planar->reference[i].held = hb_profile_point(&planar->profile[i]);
         }
-        point = hb_reference_evaluate(&planar->reference[i]);
-        memset(&input, 0, sizeof input);
-        input.position = planar->signals.position[i] - planar->origin[i];
-        input.speed = planar->signals.speed[i];
-        input.step = planar->live.setpoint[i];
-        if (isStepped(planar->reference[i].config.shape)) {
-            input.step += point.value;
-        } else {
-            input.profile = point.value;
-            input.profile_speed = point.speed;
-            input.profile_acceleration = point.acceleration;
-        }
-        planar->signals.reference[i] = planar->origin[i] + input.step + input.profile;
-        effort[i] = hb_planar_law_step(&planar->integral[i], &page->gains[i], &input, TICK_S, may_integrate);
+    }
+    if (planar->path.running) {
+        keepPathPoint(planar);
+    }
+}
+
+static void controlPosition(hb_planar* planar, const hb_planar_calibration* page) {
+    float effort[HB_AXES];
+    hb_wrench wrench;
+    takeTravelPoints(planar);
+    for (uint8_t i = 0; i < HB_AXES; i++) {
+        effort[i] = axisEffort(planar, page, i) + hb_reference_evaluate(&planar->excitation[i]).value;
+        planar->signals.command[i] = effort[i];
     }
     wrench = aboutOrigin(planar, page, effort);
     demand(planar, page, &wrench);
@@ -88,6 +130,7 @@ static void controlWrench(hb_planar* planar, const hb_planar_calibration* page) 
     for (uint8_t i = 0; i < HB_AXES; i++) {
         demanded[i] = planar->live.setpoint[i] + hb_reference_evaluate(&planar->reference[i]).value;
         planar->signals.reference[i] = demanded[i];
+        planar->signals.command[i] = demanded[i];
     }
     wrench.x_N = demanded[0];
     wrench.y_N = demanded[1];
@@ -108,31 +151,67 @@ static void controlCurrents(hb_planar* planar, const hb_planar_calibration* page
     }
 }
 
-/* The reference that is held passes from the weighted part to the other or back without a bump. */
+static uint8_t isOnPath(const hb_planar* planar, uint8_t axis) {
+    return axis < HB_PATH_AXES && planar->live.path.shape != HB_PATH_NONE;
+}
+
+static uint8_t wantedShape(const hb_planar* planar, uint8_t axis) {
+    return isOnPath(planar, axis) ? (uint8_t)HB_PLANAR_ON_PATH : planar->live.reference[axis].shape;
+}
+
+/* The reference that is held passes from weighted to whole or back without a bump. */
 static void keepEffort(hb_planar* planar, const hb_planar_calibration* page, uint8_t axis) {
+    const hb_planar_gains* gains = &page->gains[axis];
     uint8_t was_stepped = isStepped(planar->reference[axis].config.shape);
-    uint8_t is_stepped = isStepped(planar->live.reference[axis].shape);
-    float held = hb_reference_evaluate(&planar->reference[axis]).value;
-    float change = page->gains[axis].kp * (1.0F - page->gains[axis].setpoint_weight) * held;
+    uint8_t is_stepped = isStepped(wantedShape(planar, axis));
+    float held = planar->live.setpoint[axis] + hb_reference_evaluate(&planar->reference[axis]).value;
+    float change = gains->kp * (1.0F - gains->reference_weight) * held;
+    float step = gains->derivative_reference_weight * held; /* the derivative sees no jump either */
     if (was_stepped != is_stepped) {
-        planar->integral[axis] += is_stepped ? change : -change;
+        planar->law[axis].integral_A += is_stepped ? change : -change;
+        planar->law[axis].previous_weighted_rad += is_stepped ? step : -step;
     }
 }
 
-/* A travel keeps its points where the reference keeps the one it holds. */
+static uint8_t isExcitation(const hb_planar* planar, uint8_t axis) {
+    return planar->board.mode == HB_PLANAR_POSITION && planar->live.target[axis] == HB_TARGET_EFFORT;
+}
+
+/* A travel and the path keep their points where the reference keeps the one it holds. */
 static void startReference(hb_planar* planar, uint8_t axis, uint8_t is_position) {
     static const hb_plateau_config NoPlateaus = {0}; /* no shape of ours uses them */
     const hb_reference_config* config = &planar->live.reference[axis];
     hb_reference* reference = &planar->reference[axis];
+    uint8_t shape = is_position ? wantedShape(planar, axis) : config->shape;
+    if (isExcitation(planar, axis)) { /* the reference before goes on */
+        hb_reference_start(&planar->excitation[axis], config, &NoPlateaus, 0);
+        return;
+    }
+    hb_reference_stop(&planar->excitation[axis]);
     planar->profile[axis].running = 0;
-    if (is_position && config->shape == HB_PLANAR_TRAPEZOID) {
+    if (is_position && shape >= HB_PLANAR_TRAPEZOID) {
         hb_reference_stop(reference);
         reference->config = *config;
-        hb_profile_start(&planar->profile[axis], reference->held.value, config->amplitude, config->rate,
-                         planar->live.acceleration[axis]);
+        reference->config.shape = shape;
+        if (shape != HB_PLANAR_ON_PATH) {
+            hb_profile_limits limits;
+            limits.speed = config->rate;
+            limits.acceleration = planar->live.acceleration[axis];
+            limits.jerk = shape == HB_PLANAR_S_CURVE ? planar->live.jerk[axis] : INFINITY;
+            hb_profile_start(&planar->profile[axis], reference->held.value, config->amplitude, &limits);
+        }
     } else {
         hb_reference_start(reference, config, &NoPlateaus, is_position);
     }
+}
+
+static void startPath(hb_planar* planar) {
+    float from[HB_PATH_AXES];
+    for (uint8_t i = 0; i < HB_PATH_AXES; i++) {
+        from[i] = planar->reference[i].held.value;
+    }
+    hb_path_start(&planar->path, &planar->live.path, from);
+    planar->live.path.shape = HB_PATH_NONE; /* the next start needs it anew */
 }
 
 static void startPendingReferences(hb_planar* planar, const hb_planar_calibration* page) {
@@ -141,20 +220,24 @@ static void startPendingReferences(hb_planar* planar, const hb_planar_calibratio
         return;
     }
     for (uint8_t i = 0; i < HB_AXES; i++) {
-        if (is_position) {
+        if (is_position && !isExcitation(planar, i)) {
             keepEffort(planar, page, i);
         }
         startReference(planar, i, is_position);
+    }
+    planar->path.running = 0;
+    if (is_position && planar->live.path.shape != HB_PATH_NONE) {
+        startPath(planar);
     }
 }
 
 static void publishReference(hb_planar* planar) {
     hb_board_signals* board = &planar->signals.board;
-    board->reference_segment = 0;
-    board->reference_running = 0;
+    board->reference_segment = planar->path.running ? (uint16_t)(planar->path.piece + 1U) : 0;
+    board->reference_running = planar->path.running;
     for (uint8_t i = 0; i < HB_AXES; i++) {
         uint8_t travels = planar->profile[i].running;
-        board->reference_running |= planar->reference[i].running || travels;
+        board->reference_running |= planar->reference[i].running || planar->excitation[i].running || travels;
         if (travels && board->reference_segment == 0) {
             board->reference_segment = 1;
         }
@@ -178,6 +261,7 @@ void hb_planar_control(void* planar, const void* page) {
         }
     } else {
         memset(self->signals.reference, 0, sizeof self->signals.reference);
+        memset(self->signals.command, 0, sizeof self->signals.command);
         self->signals.current_scale = 1.0F;
     }
     publishReference(self);
@@ -218,9 +302,10 @@ uint8_t hb_planar_brake(void* planar, const void* page) {
 
 void hb_planar_enter_mode(void* planar, uint8_t mode) {
     hb_planar* self = (hb_planar*)planar;
-    (void)mode;
+    if (mode == HB_MODE_IDLE) {
+        self->live.path.shape = HB_PATH_NONE; /* an order that was not taken is none for later */
+    }
     memcpy(self->origin, self->signals.position, sizeof self->origin);
-    memset(self->integral, 0, sizeof self->integral);
     memset(self->demand_A, 0, sizeof self->demand_A);
     memset(self->pending_A, 0, sizeof self->pending_A);
     memset(self->live.setpoint, 0, sizeof self->live.setpoint);
@@ -228,9 +313,12 @@ void hb_planar_enter_mode(void* planar, uint8_t mode) {
     self->signals.current_scale = 1.0F;
     self->rest_ticks = 0;
     for (uint8_t i = 0; i < HB_AXES; i++) {
+        hb_law_reset(&self->law[i]);
         hb_reference_clear(&self->reference[i]);
+        hb_reference_clear(&self->excitation[i]);
         self->profile[i].running = 0;
     }
+    self->path.running = 0;
 }
 
 uint8_t hb_planar_check(void* planar, uint16_t offset, float value) {
@@ -259,10 +347,12 @@ void hb_planar_stop_reference(void* planar) {
     hb_planar* self = (hb_planar*)planar;
     for (uint8_t i = 0; i < HB_AXES; i++) {
         hb_reference_stop(&self->reference[i]);
+        hb_reference_stop(&self->excitation[i]);
         self->profile[i].running = 0;
         self->reference[i].held.speed = 0.0F;
         self->reference[i].held.acceleration = 0.0F;
     }
+    self->path.running = 0;
 }
 
 uint8_t hb_planar_advance(void* planar) {
@@ -270,11 +360,17 @@ uint8_t hb_planar_advance(void* planar) {
     uint8_t runs = 0;
     for (uint8_t i = 0; i < HB_AXES; i++) {
         hb_reference_advance(&self->reference[i]);
+        hb_reference_advance(&self->excitation[i]);
         if (self->profile[i].running) {
             hb_profile_advance(&self->profile[i]);
             self->reference[i].held = hb_profile_point(&self->profile[i]);
         }
-        runs |= self->reference[i].running || self->profile[i].running;
+        runs |= self->reference[i].running || self->excitation[i].running || self->profile[i].running;
+    }
+    if (self->path.running) {
+        hb_path_advance(&self->path);
+        keepPathPoint(self);
+        runs |= self->path.running;
     }
     return runs;
 }

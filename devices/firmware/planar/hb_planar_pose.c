@@ -2,6 +2,7 @@
 #include "devices/firmware/planar/hb_planar_pose.h"
 
 #include "devices/firmware/control/hb_constants.h"
+#include "devices/firmware/control/hb_trig.h"
 
 #include <math.h>
 #include <string.h>
@@ -55,8 +56,9 @@ static uint8_t phaseOf(const float value[HB_CHIPS], const float phase_rad[HB_CHI
     float determinant;
     for (uint8_t j = 0; j < HB_CHIPS; j++) {
         if (isUsed(used, j)) {
-            float c = cosf(phase_rad[j]);
-            float s = sinf(phase_rad[j]);
+            float c;
+            float s;
+            hb_sine_cosine(phase_rad[j], &s, &c);
             ss += c * c;
             sc += c * s;
             cc += s * s;
@@ -91,20 +93,38 @@ uint8_t hb_pose_start(const hb_chips* chips, float pitch_m, const float field_T[
     return has_both;
 }
 
-hb_chip_model hb_chip_model_at(const hb_chips* chips, float pitch_m, const hb_pose* pose, uint8_t chip) {
+/* Sine and cosine of the rotation are the same for all chips. */
+typedef struct {
+    float c, s;
+} heading;
+
+static heading headingOf(const hb_pose* pose) {
+    heading turned;
+    hb_sine_cosine(pose->phi_rad, &turned.s, &turned.c);
+    return turned;
+}
+
+static hb_chip_model modelAt(const hb_chips* chips, float pitch_m, const hb_pose* pose, const heading* turned,
+                             uint8_t chip) {
     float wave_1_m = HB_TWO_PI / pitch_m;
-    float c = cosf(pose->phi_rad);
-    float s = sinf(pose->phi_rad);
+    float c = turned->c;
+    float s = turned->s;
     float amplitude_T = chips->amplitude_T[chip];
     float arm_x = c * chips->place_x_m[chip] - s * chips->place_y_m[chip];
     float arm_y = s * chips->place_x_m[chip] + c * chips->place_y_m[chip];
     float phase_x = wave_1_m * (pose->x_m + arm_x);
     float phase_y = wave_1_m * (pose->y_m + arm_y);
-    float bx = amplitude_T * sinf(phase_x);
-    float by = amplitude_T * sinf(phase_y);
-    float slope_x = wave_1_m * amplitude_T * cosf(phase_x);
-    float slope_y = wave_1_m * amplitude_T * cosf(phase_y);
     hb_chip_model model;
+    float bx;
+    float by;
+    float slope_x;
+    float slope_y;
+    hb_sine_cosine(phase_x, &bx, &slope_x);
+    hb_sine_cosine(phase_y, &by, &slope_y);
+    bx *= amplitude_T;
+    by *= amplitude_T;
+    slope_x *= wave_1_m * amplitude_T;
+    slope_y *= wave_1_m * amplitude_T;
     model.field_T[0] = bx * c + by * s;
     model.field_T[1] = by * c - bx * s;
     model.slope[0][0] = slope_x * c;
@@ -116,10 +136,15 @@ hb_chip_model hb_chip_model_at(const hb_chips* chips, float pitch_m, const hb_po
     return model;
 }
 
+hb_chip_model hb_chip_model_at(const hb_chips* chips, float pitch_m, const hb_pose* pose, uint8_t chip) {
+    heading turned = headingOf(pose);
+    return modelAt(chips, pitch_m, pose, &turned, chip);
+}
+
 /* Adds one chip; the angle counts as a length. */
 static void addChip(const hb_chips* chips, float pitch_m, const float field_T[HB_CHIP_FIELDS],
-                    const hb_pose* pose, uint8_t chip, normal_equations* normal) {
-    hb_chip_model model = hb_chip_model_at(chips, pitch_m, pose, chip);
+                    const hb_pose* pose, const heading* turned, uint8_t chip, normal_equations* normal) {
+    hb_chip_model model = modelAt(chips, pitch_m, pose, turned, chip);
     model.slope[0][2] /= HB_POSE_LEVER_M;
     model.slope[1][2] /= HB_POSE_LEVER_M;
     for (uint8_t axis = 0; axis < 2; axis++) {
@@ -183,13 +208,14 @@ hb_pose_estimate hb_pose_fit(const hb_chips* chips, float pitch_m, const float f
     estimate.chi_square = 0.0F;
     estimate.is_determined = 0;
     for (uint8_t i = 0; i < ITERATIONS && countOf(used) > 1; i++) {
+        heading turned = headingOf(&estimate.pose);
         normal_equations normal;
         float step[3];
         float information;
         memset(&normal, 0, sizeof normal);
         for (uint8_t j = 0; j < HB_CHIPS; j++) {
             if (isUsed(used, j)) {
-                addChip(chips, pitch_m, field_T, &estimate.pose, j, &normal);
+                addChip(chips, pitch_m, field_T, &estimate.pose, &turned, j, &normal);
             }
         }
         estimate.chi_square = normal.square_T2 / (chips->deviation_T * chips->deviation_T);

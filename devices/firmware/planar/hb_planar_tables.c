@@ -16,7 +16,10 @@ static hb_rom_char ModeChoices[] = "idle|coil currents|position|wrench";
 static hb_rom_char AllocationChoices[] = "set by set|heading, fundamental|heading, all harmonics";
 static hb_rom_char EstimatorChoices[] = "least squares|tracking filter";
 static hb_rom_char DelayChoices[] = "none|one sample|two samples";
-static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine|-|trapezoid";
+static hb_rom_char TargetChoices[] = "position|force or torque";
+static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine|-|trapezoid|s-curve";
+static hb_rom_char PathChoices[] = "none|circle|raster";
+static hb_rom_char PathProfileChoices[] = "trapezoid|s-curve";
 
 #define SIGNAL(name, unit, member, limit, text)                                                              \
     HB_SIGNAL(name, unit, HB_FLOAT32, hb_planar_signals, member, 1.0F, -(limit), limit, NULL, text)
@@ -35,6 +38,8 @@ static const hb_signal Signals[] HB_ROM = {
     AXES("speed.x", "speed.y", "speed.phi", "m/s", "rad/s", speed, 10.0F, 100.0F, "Speed of the platen"),
     AXES("reference.x", "reference.y", "reference.phi", "m", "rad", reference, 1000.0F, 1000.0F,
          "Reference, or effort in mode wrench,"),
+    AXES("command.x", "command.y", "command.phi", "N", "N*m", command, 1000.0F, 1000.0F,
+         "Command of law and excitation"),
     AXES("effort.x", "effort.y", "effort.phi", "N", "N*m", effort, 100.0F, 10.0F,
          "Force or torque of the currents"),
     COIL("current.coil1", 1),
@@ -71,6 +76,10 @@ static const hb_signal Signals[] HB_ROM = {
 #endif
 };
 
+/* From the middle to an end stop. A window wider than the way from stop to stop would never trip. */
+#define TRAVEL_M 0.05F
+#define TRAVEL_RAD 0.02F
+
 #define PAGED(name, unit, member, initial, lower, upper, choices, text)                                      \
     HB_PAGED_PARAM(name, unit, hb_planar_calibration, member, initial, lower, upper, choices, text)
 #define LIVE(name, unit, type, member, initial, lower, upper, choices, text)                                 \
@@ -78,16 +87,30 @@ static const hb_signal Signals[] HB_ROM = {
 #define LISTED(name, unit, member, count, initial, lower, upper, text)                                       \
     HB_PARAM_LIST(HB_PAGED, name, unit, HB_FLOAT32, hb_planar_calibration, member, count, initial, lower,    \
                   upper, text)
-#define GAINS(kp_name, ki_name, kd_name, weight_name, inertia_name, index, per_m, per_ms, s_per_m,           \
-              inertia_unit, kp0, ki0, kd0)                                                                   \
+#define COEFFICIENT(name, index, n, member, initial, lower, upper, text)                                     \
+    PAGED(name, "", gains[index].sections[n - 1].member, initial, lower, upper, NULL, text)
+#define SECTION(index, n, b0_name, b1_name, b2_name, a1_name, a2_name)                                       \
+    COEFFICIENT(b0_name, index, n, b0, 1.0F, -1000.0F, 1000.0F,                                              \
+                "Filter section (b0 d^2 + b1 d + b2)/(d^2 + a1 d + a2), d = z - 1"),                         \
+        COEFFICIENT(b1_name, index, n, b1, 0.0F, -1000.0F, 1000.0F, "Coefficient b1 of the filter section"), \
+        COEFFICIENT(b2_name, index, n, b2, 0.0F, -1000.0F, 1000.0F, "Coefficient b2 of the filter section"), \
+        COEFFICIENT(a1_name, index, n, a1, 0.0F, 0.0F, 4.0F,                                                 \
+                    "Coefficient a1 of the filter section; 0 switches it off"),                              \
+        COEFFICIENT(a2_name, index, n, a2, 0.0F, 0.0F, 4.0F, "Coefficient a2 of the filter section")
+#define GAINS(kp_name, ki_name, kd_name, index, per_m, per_ms, s_per_m, kp0, ki0, kd0)                       \
     PAGED(kp_name, per_m, gains[index].kp, kp0, 0.0F, 1.0e6F, NULL, "Proportional gain"),                    \
         PAGED(ki_name, per_ms, gains[index].ki, ki0, 0.0F, 1.0e8F, NULL, "Integral gain"),                   \
         PAGED(kd_name, s_per_m, gains[index].kd, kd0, 0.0F, 1.0e4F, NULL,                                    \
-              "Derivative gain on the measured speed"),                                                      \
-        PAGED(weight_name, "", gains[index].setpoint_weight, 0.745F, 0.0F, 1.0F, NULL,                       \
-              "Part of a step that the proportional gain sees"),                                             \
-        PAGED(inertia_name, inertia_unit, gains[index].inertia, 0.0F, 0.0F, 100.0F, NULL,                    \
-              "Effort per acceleration of a profile")
+              "Derivative gain on the measured position")
+#define WEIGHTS(b_name, c_name, filter_name, index)                                                          \
+    PAGED(b_name, "", gains[index].reference_weight, 0.745F, 0.0F, 1.0F, NULL,                               \
+          "Set-point weight b of the proportional part"),                                                    \
+        PAGED(c_name, "", gains[index].derivative_reference_weight, 0.0F, 0.0F, 1.0F, NULL,                  \
+              "Set-point weight c of the derivative part"),                                                  \
+        PAGED(filter_name, "s", gains[index].derivative_filter_s, 1.5414941e-3F, 0.0F, 10.0F, NULL,          \
+              "Time constant of the derivative's filter")
+#define INERTIA(name, unit, index)                                                                           \
+    PAGED(name, unit, gains[index].inertia, 0.0F, 0.0F, 100.0F, NULL, "Effort per acceleration of a profile")
 /* Chips that the table builds for each of three. */
 #define CHIPS(name, unit, member, initial, lower, upper, text)                                               \
     LISTED("chip." name, unit, chips.member, HB_CHIPS, initial, lower, upper, text)
@@ -97,15 +120,17 @@ static const hb_signal Signals[] HB_ROM = {
         PAGED("chip.place_y_" #number, "m", chips.place_y_m[number - 1], y, -0.2F, 0.2F, NULL,               \
               "Place of the chip in platen axes")
 #define REFERENCE(axis, index)                                                                               \
-    LIVE("reference." axis ".shape", "", HB_UBYTE, reference[index].shape, 0.0F, 0.0F, HB_PLANAR_TRAPEZOID,  \
+    LIVE("reference." axis ".shape", "", HB_UBYTE, reference[index].shape, 0.0F, 0.0F, HB_PLANAR_S_CURVE,    \
          ShapeChoices, "Shape of the reference"),                                                            \
         LIVE("reference." axis ".amplitude", "", HB_FLOAT32, reference[index].amplitude, 0.0F, -1000.0F,     \
              1000.0F, NULL,                                                                                  \
              "m, rad, N or N*m; height of a step of the staircase, end of the ramp, distance"),              \
         LIVE("reference." axis ".rate", "", HB_FLOAT32, reference[index].rate, 0.0F, -1000.0F, 1000.0F,      \
-             NULL, "Slope of the ramp, speed of the trapezoid, per second"),                                 \
+             NULL, "Slope of the ramp, speed of trapezoid and S-curve, per second"),                         \
         LIVE("reference." axis ".acceleration", "", HB_FLOAT32, acceleration[index], 1.0F, 0.0F, 1000.0F,    \
-             NULL, "Largest acceleration of the trapezoid per second squared"),                              \
+             NULL, "Largest acceleration of trapezoid and S-curve, per second squared"),                     \
+        LIVE("reference." axis ".jerk", "", HB_FLOAT32, jerk[index], 100.0F, 0.0F, 1.0e6F, NULL,             \
+             "Largest jerk of the S-curve, per second cubed"),                                               \
         LIVE("reference." axis ".frequency", "Hz", HB_FLOAT32, reference[index].frequency_Hz, 1.0F, 0.0F,    \
              200.0F, NULL, "Frequency of sine; first of chirp and multisine"),                               \
         LIVE("reference." axis ".frequency_end", "Hz", HB_FLOAT32, reference[index].frequency_end_Hz, 10.0F, \
@@ -118,17 +143,40 @@ static const hb_signal Signals[] HB_ROM = {
              100000.0F, NULL, "Time until the generator ends"),                                              \
         LIVE("reference." axis ".base", "", HB_FLOAT32, reference[index].base, 0.0F, -1000.0F, 1000.0F,      \
              NULL, "Constant speed added in mode position, else effort"),                                    \
+        LIVE("reference." axis ".target", "", HB_UBYTE, target[index], 0.0F, 0.0F, 1.0F, TargetChoices,      \
+             "Where the reference goes in mode position: to the law, or added to its command"),              \
         LIVE("reference." axis ".seed", "", HB_ULONG, reference[index].seed, 0.0F, 0.0F, HB_LARGEST_ULONG,   \
              NULL, "Phases of the multisine; 0 = Schroeder")
 
 static const hb_parameter Parameters[] HB_ROM = {
     HB_SET_FIRST(hb_planar_calibration, set_first),
-    GAINS("gain.x.kp", "gain.x.ki", "gain.x.kd", "gain.x.setpoint_weight", "feedforward.x.inertia", 0, "N/m",
-          "N/(m*s)", "N*s/m", "kg", 660.48F, 1267.2F, 39.808F),
-    GAINS("gain.y.kp", "gain.y.ki", "gain.y.kd", "gain.y.setpoint_weight", "feedforward.y.inertia", 1, "N/m",
-          "N/(m*s)", "N*s/m", "kg", 660.48F, 1267.2F, 39.808F),
-    GAINS("gain.phi.kp", "gain.phi.ki", "gain.phi.kd", "gain.phi.setpoint_weight", "feedforward.phi.inertia",
-          2, "N*m/rad", "N*m/(rad*s)", "N*m*s/rad", "kg*m^2", 3.864F, 7.92F, 0.1222F),
+    GAINS("gain.x.kp", "gain.x.ki", "gain.x.kd", 0, "N/m", "N/(m*s)", "N*s/m", 660.48F, 1267.2F, 39.808F),
+    WEIGHTS("gain.x.reference_weight", "gain.x.derivative_reference_weight", "gain.x.derivative_filter", 0),
+    SECTION(0, 1, "filter.x.1.b0", "filter.x.1.b1", "filter.x.1.b2", "filter.x.1.a1", "filter.x.1.a2"),
+    SECTION(0, 2, "filter.x.2.b0", "filter.x.2.b1", "filter.x.2.b2", "filter.x.2.a1", "filter.x.2.a2"),
+    SECTION(0, 3, "filter.x.3.b0", "filter.x.3.b1", "filter.x.3.b2", "filter.x.3.a1", "filter.x.3.a2"),
+    SECTION(0, 4, "filter.x.4.b0", "filter.x.4.b1", "filter.x.4.b2", "filter.x.4.a1", "filter.x.4.a2"),
+    INERTIA("feedforward.x.inertia", "kg", 0),
+    GAINS("gain.y.kp", "gain.y.ki", "gain.y.kd", 1, "N/m", "N/(m*s)", "N*s/m", 660.48F, 1267.2F, 39.808F),
+    WEIGHTS("gain.y.reference_weight", "gain.y.derivative_reference_weight", "gain.y.derivative_filter", 1),
+    SECTION(1, 1, "filter.y.1.b0", "filter.y.1.b1", "filter.y.1.b2", "filter.y.1.a1", "filter.y.1.a2"),
+    SECTION(1, 2, "filter.y.2.b0", "filter.y.2.b1", "filter.y.2.b2", "filter.y.2.a1", "filter.y.2.a2"),
+    SECTION(1, 3, "filter.y.3.b0", "filter.y.3.b1", "filter.y.3.b2", "filter.y.3.a1", "filter.y.3.a2"),
+    SECTION(1, 4, "filter.y.4.b0", "filter.y.4.b1", "filter.y.4.b2", "filter.y.4.a1", "filter.y.4.a2"),
+    INERTIA("feedforward.y.inertia", "kg", 1),
+    GAINS("gain.phi.kp", "gain.phi.ki", "gain.phi.kd", 2, "N*m/rad", "N*m/(rad*s)", "N*m*s/rad", 3.864F,
+          7.92F, 0.1222F),
+    WEIGHTS("gain.phi.reference_weight", "gain.phi.derivative_reference_weight", "gain.phi.derivative_filter",
+            2),
+    SECTION(2, 1, "filter.phi.1.b0", "filter.phi.1.b1", "filter.phi.1.b2", "filter.phi.1.a1",
+            "filter.phi.1.a2"),
+    SECTION(2, 2, "filter.phi.2.b0", "filter.phi.2.b1", "filter.phi.2.b2", "filter.phi.2.a1",
+            "filter.phi.2.a2"),
+    SECTION(2, 3, "filter.phi.3.b0", "filter.phi.3.b1", "filter.phi.3.b2", "filter.phi.3.a1",
+            "filter.phi.3.a2"),
+    SECTION(2, 4, "filter.phi.4.b0", "filter.phi.4.b1", "filter.phi.4.b2", "filter.phi.4.a1",
+            "filter.phi.4.a2"),
+    INERTIA("feedforward.phi.inertia", "kg*m^2", 2),
     PAGED("platen.mass", "kg", mass_kg, 0.64F, 0.01F, 100.0F, NULL, "Moving mass"),
     PAGED("platen.inertia", "kg*m^2", inertia_kg_m2, 1.0e-3F, 1.0e-5F, 1.0F, NULL,
           "Inertia about the vertical"),
@@ -148,11 +196,11 @@ static const hb_parameter Parameters[] HB_ROM = {
     PAGED("limit.temperature", "degC", limit_temperature_degC, 80.0F, -40.0F, 100.0F, NULL,
           "Coil temperature that trips"),
     PAGED("limit.lift", "N", limit_lift_N, 5.0F, 0.0F, 1000.0F, NULL, "Vertical force that trips"),
-    PAGED("window.x", "m", window_position[0], 0.05F, 0.0F, 1.0F, NULL,
+    PAGED("window.x", "m", window_position[0], 0.05F, 0.0F, 2.0F * TRAVEL_M, NULL,
           "Largest excursion from where the mode began"),
-    PAGED("window.y", "m", window_position[1], 0.05F, 0.0F, 1.0F, NULL,
+    PAGED("window.y", "m", window_position[1], 0.05F, 0.0F, 2.0F * TRAVEL_M, NULL,
           "Largest excursion from where the mode began"),
-    PAGED("window.phi", "rad", window_position[2], 0.03F, 0.0F, 0.3F, NULL,
+    PAGED("window.phi", "rad", window_position[2], 0.03F, 0.0F, 2.0F * TRAVEL_RAD, NULL,
           "Largest rotation from where the mode began"),
     PAGED("window.position_enabled", "", window_position_enabled, 1.0F, 0.0F, 1.0F, OffOn, "Position window"),
     PAGED("window.speed", "m/s", window_speed_m_s, 0.4F, 0.0F, 10.0F, NULL, "Largest speed while armed"),
@@ -190,6 +238,20 @@ static const hb_parameter Parameters[] HB_ROM = {
     REFERENCE("x", 0),
     REFERENCE("y", 1),
     REFERENCE("phi", 2),
+    LIVE("path.shape", "", HB_UBYTE, path.shape, 0.0F, 0.0F, HB_PATH_RASTER, PathChoices,
+         "Path that x and y follow from the next start on, once, instead of their references"),
+    LIVE("path.profile", "", HB_UBYTE, path.is_s_curve, 0.0F, 0.0F, 1.0F, PathProfileChoices,
+         "Speed along the path: with jumps of the acceleration or with a largest jerk"),
+    LIVE("path.radius", "m", HB_FLOAT32, path.radius, 1.0e-3F, -1.0F, 1.0F, NULL,
+         "Of the circle; its centre lies so far in the direction of x"),
+    LIVE("path.turns", "", HB_UWORD, path.turns, 1.0F, 1.0F, 1000.0F, NULL, "Of the circle"),
+    LIVE("path.width", "m", HB_FLOAT32, path.width, 1.0e-3F, -1.0F, 1.0F, NULL, "Length of a line, along x"),
+    LIVE("path.pitch", "m", HB_FLOAT32, path.pitch, 1.0e-4F, -1.0F, 1.0F, NULL, "From line to line, along y"),
+    LIVE("path.lines", "", HB_UWORD, path.lines, 10.0F, 1.0F, 1000.0F, NULL, "Of the raster"),
+    LIVE("path.speed", "m/s", HB_FLOAT32, path.speed, 0.01F, 0.0F, 10.0F, NULL, "Largest speed on the path"),
+    LIVE("path.acceleration", "m/s^2", HB_FLOAT32, path.acceleration, 1.0F, 0.0F, 1000.0F, NULL,
+         "Largest acceleration on the path"),
+    LIVE("path.jerk", "m/s^3", HB_FLOAT32, path.jerk, 100.0F, 0.0F, 1.0e6F, NULL, "Largest jerk on the path"),
     HB_BOARD_START(hb_planar_live, board),
 #if HB_FEATURE_CAPTURE
     HB_BOARD_CAPTURE(hb_planar_live, capture),

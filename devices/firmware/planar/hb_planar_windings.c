@@ -2,6 +2,7 @@
 #include "devices/firmware/planar/hb_planar_windings.h"
 
 #include "devices/firmware/control/hb_constants.h"
+#include "devices/firmware/control/hb_trig.h"
 
 #include <math.h>
 #include <string.h>
@@ -47,10 +48,9 @@ static void centreOf(const hb_planar_coils* coils, uint8_t coil, float* x_m, flo
     }
 }
 
-static void addOrder(const hb_planar_coils* coils, const hb_pose* pose, uint8_t order, uint8_t coil,
-                     hb_coil_wrench* forces) {
-    float c = cosf(pose->phi_rad);
-    float s = sinf(pose->phi_rad);
+/* c and s: cosine and sine of the rotation. */
+static void addOrder(const hb_planar_coils* coils, const hb_pose* pose, float c, float s, uint8_t order,
+                     uint8_t coil, hb_coil_wrench* forces) {
     float heading = fminf(fmaxf(pose->phi_rad, -TABLE_LIMIT_RAD), TABLE_LIMIT_RAD);
     float wave_1_m = HB_TWO_PI / coils->pitch_m;
     float g = wave_1_m * (float)(4U * order + 1U);
@@ -67,27 +67,35 @@ static void addOrder(const hb_planar_coils* coils, const hb_pose* pose, uint8_t 
     float arm_y;
     float force_x;
     float force_y;
+    float sine_x;
+    float cosine_x;
+    float sine_y;
+    float cosine_y;
     centreOf(coils, coil, &x_m, &y_m);
     shapeAt(Shapes[order].along, heading, &along, &along_slope);
     shapeAt(Shapes[order].across, heading, &across, &across_slope);
     arm_x = c * x_m - s * y_m;
     arm_y = s * x_m + c * y_m;
-    force_x = -scale * g * sinf(g * (pose->x_m + arm_x)) * (is_across ? across : along);
-    force_y = -scale * g * sinf(g * (pose->y_m + arm_y)) * (is_across ? along : across);
+    hb_sine_cosine(g * (pose->x_m + arm_x), &sine_x, &cosine_x);
+    hb_sine_cosine(g * (pose->y_m + arm_y), &sine_y, &cosine_y);
+    force_x = -scale * g * sine_x * (is_across ? across : along);
+    force_y = -scale * g * sine_y * (is_across ? along : across);
     forces->row[0][coil] += force_x;
     forces->row[1][coil] += force_y;
-    forces->row[2][coil] +=
-        arm_x * force_y - arm_y * force_x +
-        scale * (cosf(g * (pose->x_m + arm_x)) * (is_across ? across_slope : along_slope) +
-                 cosf(g * (pose->y_m + arm_y)) * (is_across ? along_slope : across_slope));
+    forces->row[2][coil] += arm_x * force_y - arm_y * force_x +
+                            scale * (cosine_x * (is_across ? across_slope : along_slope) +
+                                     cosine_y * (is_across ? along_slope : across_slope));
 }
 
 hb_coil_wrench hb_planar_windings(const hb_planar_coils* coils, const hb_pose* pose, uint8_t orders) {
     hb_coil_wrench forces;
+    float c;
+    float s;
+    hb_sine_cosine(pose->phi_rad, &s, &c);
     memset(&forces, 0, sizeof forces);
     for (uint8_t coil = 0; coil < HB_COILS; coil++) {
         for (uint8_t order = 0; order < orders && order < HB_WINDING_ORDERS; order++) {
-            addOrder(coils, pose, order, coil, &forces);
+            addOrder(coils, pose, c, s, order, coil, &forces);
         }
     }
     return forces;

@@ -55,6 +55,10 @@
 #ifndef HB_FEATURE_TABLE_TRIG
 #define HB_FEATURE_TABLE_TRIG 0 /* sine and arctangent from tables: for processors without floating point */
 #endif
+#ifndef HB_FEATURE_FUSED_TRIG
+#define HB_FEATURE_FUSED_TRIG                                                                                \
+    0 /* sine and cosine by one reduction: for a processor with fused multiply-add */
+#endif
 #ifndef HB_FEATURE_TRIAL
 #define HB_FEATURE_TRIAL                                                                                     \
     HB_FEATURE_FULL /* a third copy of the calibration that a lost master brings back                        \

@@ -2,6 +2,7 @@
 
 #include "devices/simulated/htm/simulated_htm.h"
 #include "devices/simulated/planar/simulated_planar.h"
+#include "devices/simulated/spherical/simulated_spherical.h"
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ namespace {
 
 // A deque, since devices keep pointers to their row while tests add others.
 std::deque<SimulatedModel>& table() {
-    static std::deque<SimulatedModel> models{htmModel(), planarModel()};
+    static std::deque<SimulatedModel> models{htmModel(), planarModel(), sphericalModel()};
     return models;
 }
 

@@ -48,7 +48,7 @@ public:
             m_cells.pop();
             halve(cell);
             if (m_proof.cells % CellsBetweenQuestions == 0 && control.isStopped && control.isStopped()) {
-                return failure(ErrorCode::Interrupted, "The proof of the coverage was stopped.");
+                return failure(ErrorCode::Interrupted, "The coverage proof was stopped.");
             }
         }
         m_proof.bound_T = std::fmax(0.0, std::fmin(m_proof.least_T, m_cells.top().bound_T));

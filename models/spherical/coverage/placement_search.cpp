@@ -301,14 +301,13 @@ Result<void> checkSearch(const PlacementSearchConfig& config) {
     }
     if (config.device.device == SphericalDevice::Additive &&
         config.objective != PlacementObjective::LeastReading) {
-        return failure(ErrorCode::OutOfRange, "The additive device has no tensor to condition.",
+        return failure(ErrorCode::OutOfRange, "An additive device has no tensor condition.",
                        "Use the objective reading, or the exact device.");
     }
     if (config.device.radius_m <= config.device.rotorRadius_m || config.device.strength_T <= 0.0 ||
         config.noise_T <= 0.0 || config.finalists < 1) {
-        return failure(ErrorCode::OutOfRange,
-                       "A placement needs sensors outside the rotor, a positive strength and noise, and at "
-                       "least one finalist.");
+        return failure(ErrorCode::OutOfRange, "A placement needs sensors outside the rotor, a positive "
+                                              "strength and noise, and at least one finalist.");
     }
     return {};
 }

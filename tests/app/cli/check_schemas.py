@@ -81,8 +81,38 @@ class Schemas(unittest.TestCase):
             self.accept(self.run_json("move", "sim:planar", "--axis", axis, "--reference", f"step,{height}", "--duration", "1"))
         self.accept(self.run_json("calibrate", "sim:htm", "all"))
 
+    def test_orientation_sensing(self):
+        fields = [f"field.{sensor}.{axis}" for sensor in range(3) for axis in ("r", "theta", "phi")]
+        signals = ",".join(fields + ["truth.alpha", "truth.beta", "truth.gamma"])
+        self.accept(self.run_json("record", "sim:spherical?motion=5", "--duration", "2", "--signals", signals, "--out", "m.csv"))
+        for options in ([], ["--truth"], ["--estimator", "closed"], ["--range-mT", "130", "--truth"], ["--stray"]):
+            self.accept(self.run_json("orient", "m.csv", *options))
+        self.accept(self.run_json("orient", "m.csv", "--range-mT", "1", code=1))
+        self.accept(self.run_json("coverage", "--step-deg", "5"))
+        self.accept(self.run_json("readings", "--along", "gamma"))
+        self.accept(self.run_json("estimators", "--count", "50", "--placement", "recommended"))
+        for device in ("exact", "paper"):
+            self.accept(self.run_json("place", "--step-deg", "45", "--device", device, "--out", "p.json"))
+            self.accept(self.run_json("coverage", "--step-deg", "5", "--placement", "p.json", "--device", device))
+
+    def test_loops_of_several_axes(self):
+        axis = {"axis": "x", "position_unit": "m", "effort_unit": "N", "sample_period_s": 0.001, "delay_samples": 1,
+                "parameters": {name: {"value": value, "unit": unit, "ci95": None, "source": "given"} for name, value, unit in (
+                    ("damping_rate", 0.0, "1/s"), ("acceleration_gain", 1.5, "m/(s^2*N)"), ("breakaway_effort", 0.0, "N"))}}
+        model = {"schema": "halbench.axis-model/1", "halbench": "0", "device": None, "started": "1970-01-01T00:00:00Z", "seed": 1,
+                 "data_quality": {"verdict": "good", "findings": []}, "axes": [axis],
+                 "covariance": {"names": ["x.acceleration_gain"], "matrix": [[0.01]]}}
+        with open(os.path.join(self.folder.name, "a.json"), "w", encoding="utf-8") as file:
+            json.dump(self.accept(model), file)
+        self.accept(self.run_json("tune", "a.json", "--out", "g.json"))
+        self.accept(self.run_json("analyse", "a.json", "g.json"))
+        self.accept(self.run_json("tune", "a.json", "--axis", "x", "--apply", "sim:planar"))
+
     def test_from_identification_to_analysis(self):
         self.accept(self.run_json("identify", "sim:htm"))
+        self.accept(self.run_json("identify", "sim:planar", "--given", "m=0.64"))
+        self.accept(self.run_json("calibrate", "sim:planar", "all"))
+        self.accept(self.run_json("identify", "sim:planar", "--frequency", "--from-hz", "4", "--to-hz", "40", "--periods", "4"))
         self.accept(self.run_json("identify", "sim:htm", "--given", "J=5.5e-4", "--out", "m.json"))
         self.accept(self.run_json("tune", "m.json", "--out", "g.json"))
         self.accept(self.run_json("tune", "m.json", "--method", "published", "--apply", "sim:htm"))

@@ -33,8 +33,9 @@ TEST(CommandLineTest, withoutArgumentsItIsHelp) {
     ASSERT_TRUE(line);
     EXPECT_EQ(line->command, "help");
     for (const char* command :
-         {"devices", "describe", "get", "set", "record", "move", "calibrate", "identify", "tune", "analyse",
-          "run", "serve", "convert", "spectrum", "plot", "import", "recordings", "overlay"}) {
+         {"devices",  "describe", "get",        "set",     "record", "move",     "calibrate",
+          "identify", "tune",     "analyse",    "run",     "serve",  "convert",  "spectrum",
+          "plot",     "import",   "recordings", "overlay", "orient", "coverage", "place"}) {
         EXPECT_THAT(line->helpText, testing::HasSubstr(command));
     }
 }

@@ -59,4 +59,37 @@ TEST(FrequencyOptions, belongToFrequencyAlone) {
     EXPECT_NE(mixed.error().message.find("--given"), std::string::npos);
 }
 
+TEST(FrequencyOptions, thoseOfSeveralAxesAreRead) {
+    CommandOptions options;
+    options.axis = "y";
+    options.fromFrequency = "2";
+    options.toFrequency = "120";
+    options.effortRatio = "0.1";
+    options.periods = "64";
+    options.excitation = "multisine";
+    const Result<AxesFrequencyConfig> config = axesFrequencyConfigFrom(options);
+    ASSERT_TRUE(config) << config.error().message;
+    EXPECT_EQ(config->axis, "y");
+    EXPECT_EQ(config->from_Hz, 2.0);
+    EXPECT_EQ(config->to_Hz, 120.0);
+    EXPECT_EQ(config->effort_ratio, 0.1);
+    EXPECT_EQ(config->periods, 64);
+    EXPECT_EQ(config->leastCoherence, 0.9);
+}
+
+TEST(FrequencyOptions, severalAxesRefuseThoseOfAMotor) {
+    for (std::string CommandOptions::*text :
+         {&CommandOptions::base, &CommandOptions::amplitude, &CommandOptions::calibrationFile,
+          &CommandOptions::excitation}) {
+        CommandOptions options;
+        options.*text = "chirp";
+        const auto refused = axesFrequencyConfigFrom(options);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code, ErrorCode::Usage);
+    }
+    CommandOptions options;
+    options.periods = "7.5";
+    EXPECT_EQ(axesFrequencyConfigFrom(options).error().code, ErrorCode::Usage);
+}
+
 } // namespace halbench::app

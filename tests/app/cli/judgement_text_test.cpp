@@ -17,14 +17,14 @@ TEST(JudgementText, saysNothingOfAProofThatThereIsNot) {
 
 TEST(JudgementText, leavesOutTheStepOfALoopThatIsNotStable) {
     TuneResult result;
-    result.proof.emplace();
-    result.proof->peaks.Ms_ratio = 1.5;
-    result.proof->largestStep_rad = 0.1;
-    result.proof->noiseGain_A_per_rad = std::numeric_limits<double>::infinity();
+    result.assessment.emplace();
+    result.assessment->peaks.Ms_ratio = 1.5;
+    result.assessment->largestStep_rad = 0.1;
+    result.assessment->noiseGain_A_per_rad = std::numeric_limits<double>::infinity();
     const std::string unstable = proofLines(result);
     EXPECT_TRUE(contains(unstable, "Ms    1.5\n")) << unstable;
     EXPECT_FALSE(contains(unstable, "noise gain") || contains(unstable, "step within")) << unstable;
-    result.proof->isStable = true;
+    result.assessment->isStable = true;
     EXPECT_TRUE(contains(proofLines(result), "step within the limit      5.73 deg")); // 0.1 rad
 }
 

@@ -65,8 +65,8 @@ devices::Catalogue foreignMotor() {
     return catalogue;
 }
 
-TEST(CoilWatch, findsItsSignalsByTheirRolesAndTellsTheWarmingCoil) {
-    CoilWatch watch(foreignMotor());
+TEST(CoilTemperatureMonitor, findsItsSignalsByTheirRolesAndTellsTheWarmingCoil) {
+    CoilTemperatureMonitor watch(foreignMotor());
     EXPECT_TRUE(watch.forecasts(80.0).empty()) << "nothing came yet";
     SampleBlock block;
     block.layout = std::make_shared<const StreamLayout>(
@@ -83,7 +83,7 @@ TEST(CoilWatch, findsItsSignalsByTheirRolesAndTellsTheWarmingCoil) {
     ASSERT_EQ(forecasts[0].forecast.verdict, Forecast::Verdict::Reached);
     EXPECT_NEAR(*forecasts[0].forecast.time_s, 190.0, 10.0);
     EXPECT_NE(forecasts[1].forecast.verdict, Forecast::Verdict::Reached);
-    EXPECT_TRUE(CoilWatch(devices::Catalogue()).forecasts(80.0).empty());
+    EXPECT_TRUE(CoilTemperatureMonitor(devices::Catalogue()).forecasts(80.0).empty());
 }
 
 } // namespace

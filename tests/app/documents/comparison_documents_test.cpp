@@ -10,7 +10,7 @@ ConfigurationComparison comparison() {
     made.rows = {
         {"gain.kp", "A/rad", false, 10.0, 25.0, 10.0, RowState::Differs, "", true},
         {"gain.ki", "A/(rad*s)", false, 0.1, 0.1, 0.1, RowState::Same, "", false},
-        {"gone", "", false, {}, 1.0, {}, RowState::OnlyInFile, "this device does not have it", false}};
+        {"gone", "", false, {}, 1.0, {}, RowState::OnlyInFile, "not available on this device", false}};
     made.findings = {{"other_device", "another device", "look twice"}};
     return made;
 }
@@ -19,14 +19,14 @@ TEST(ComparisonDocuments, thePeoplesTableShowsWhatDiffersAndCountsTheRest) {
     const std::string text = comparisonText(comparison(), {});
     EXPECT_NE(text.find("gain.kp"), std::string::npos);
     EXPECT_EQ(text.find("gain.ki"), std::string::npos);
-    EXPECT_NE(text.find("this device does not have it"), std::string::npos);
+    EXPECT_NE(text.find("not available on this device"), std::string::npos);
     EXPECT_NE(text.find("1 of 3 the same"), std::string::npos);
     EXPECT_NE(text.find("another device; look twice"), std::string::npos);
 }
 
 TEST(ComparisonDocuments, anOutcomeStandsBesideItsRow) {
-    const std::vector<RowOutcome> outcomes = {{"gain.kp", false, "the device keeps another value"}};
-    EXPECT_NE(comparisonText(comparison(), outcomes).find("not restored: the device keeps another value"),
+    const std::vector<RowOutcome> outcomes = {{"gain.kp", false, "the value read back differs"}};
+    EXPECT_NE(comparisonText(comparison(), outcomes).find("not restored: the value read back differs"),
               std::string::npos);
     const JsonValue document = comparisonDocument({}, {}, comparison(), outcomes);
     const JsonValue::Array& rows = document.find("rows")->items();

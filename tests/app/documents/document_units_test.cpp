@@ -83,12 +83,14 @@ TEST(DocumentUnitsTest, aModelThatContradictsItselfIsRefused) {
     EXPECT_NEAR(whole->estimate.values.at("phi"), 14.3e-3, 1e-15);
     for (const auto& [inertia, phi] : {std::pair<std::string, std::string>{R"({"value": 6.5e-4})", torque},
                                        {R"({"value": 5.5, "unit": "kg*m^2"})", torque},
-                                       {R"({"value": -5.5e-4})", torque},
                                        {R"({"value": 5.5e-4})", R"({"value": 13e-3})"}}) {
         const auto model = parseModel(modelWith(inertia, phi), "m.json");
         ASSERT_FALSE(model) << inertia;
         EXPECT_NE(model.error().message.find("\"ratios."), std::string::npos) << model.error().message;
     }
+    const auto negative = parseModel(modelWith(R"({"value": -5.5e-4})", torque), "m.json");
+    ASSERT_FALSE(negative);
+    EXPECT_NE(negative.error().message.find("\"parameters.inertia"), std::string::npos);
 }
 
 } // namespace

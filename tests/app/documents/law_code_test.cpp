@@ -1,5 +1,5 @@
 #include "app/documents/law_code.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_delta.h"
 
 #include <gtest/gtest.h>
 
@@ -45,21 +45,21 @@ TEST(LawCode, namesFromAFileStayInTheComment) {
 }
 
 // The filters of the file are those that the loop was judged with, to the last bit.
-TEST(LawCode, ofAShapedLawHasItsWeightsAndTheSectionsOfItsFilters) {
-    control::ShapedLaw shaped;
-    shaped.gains.proportional = 12.0;
-    shaped.gains.derivative = 0.8;
-    shaped.gains.integral = 20.0;
-    shaped.gains.filter_s = 0.004;
-    shaped.proportionalWeight = 0.6;
-    shaped.filters = {control::NotchFilter{180.0, 0.1, 0.5}, control::LowPassFilter{250.0, 1}};
+TEST(LawCode, ofAFilteredLawHasItsWeightsAndTheSectionsOfItsFilters) {
+    control::FilteredLaw filtered;
+    filtered.gains.proportional = 12.0;
+    filtered.gains.derivative = 0.8;
+    filtered.gains.integral = 20.0;
+    filtered.gains.filter_s = 0.004;
+    filtered.proportionalWeight = 0.6;
+    filtered.filters = {control::NotchFilter{180.0, 0.1, 0.5}, control::LowPassFilter{250.0, 1}};
     const LoopConditions conditions;
-    const std::string code = *lawCode({{}, shaped}, conditions, {});
+    const std::string code = *lawCode({{}, filtered}, conditions, {});
     EXPECT_EQ(constantOf(code, "KP"), 12.0);
     EXPECT_EQ(constantOf(code, "WEIGHT_B"), 0.6);
     EXPECT_EQ(constantOf(code, "WEIGHT_C"), 0.0);
     EXPECT_EQ(constantOf(code, "TF"), 0.004);
-    const auto sections = control::filterSections(shaped.filters, conditions.timing.period_s);
+    const auto sections = control::filterSections(filtered.filters, conditions.timing.period_s);
     ASSERT_TRUE(sections);
     const std::string table = "FILTERS[SECTIONS][5] = {";
     const char* at = code.c_str() + code.find(table) + table.size();
@@ -72,10 +72,10 @@ TEST(LawCode, ofAShapedLawHasItsWeightsAndTheSectionsOfItsFilters) {
         }
     }
     EXPECT_NE(code.find("notch: frequency_rad_s 180"), std::string::npos) << code;
-    shaped.filters.clear();
-    EXPECT_EQ((*lawCode({{}, shaped}, conditions, {})).find("FILTERS"), std::string::npos);
-    shaped.proportionalWeight = 3.0;
-    EXPECT_FALSE(lawCode({{}, shaped}, conditions, {}));
+    filtered.filters.clear();
+    EXPECT_EQ((*lawCode({{}, filtered}, conditions, {})).find("FILTERS"), std::string::npos);
+    filtered.proportionalWeight = 3.0;
+    EXPECT_FALSE(lawCode({{}, filtered}, conditions, {}));
 }
 
 TEST(LawCode, withoutAPathNothingIsWritten) {

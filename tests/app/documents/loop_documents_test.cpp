@@ -16,8 +16,9 @@ TEST(LoopDocuments, theProofIsThatOfTheResultAndIsNotComputedAnew) {
     auto result = runTune(published(), config);
     ASSERT_TRUE(result) << result.error().message;
     const JsonValue body = gainsBody(*result);
-    EXPECT_EQ(body.find("proof")->find("noise_gain_A_per_rad")->number(), result->proof->noiseGain_A_per_rad);
-    result->proof.reset();
+    EXPECT_EQ(body.find("proof")->find("noise_gain_A_per_rad")->number(),
+              result->assessment->noiseGain_A_per_rad);
+    result->assessment.reset();
     EXPECT_FALSE(gainsBody(*result).find("proof")->isObject());
 }
 

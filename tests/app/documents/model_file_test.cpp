@@ -81,6 +81,68 @@ TEST(ModelFile, theTimingIsReadWhereTheFileHasIt) {
     }
 }
 
+TEST(ModelFile, constantsBelowZeroAreNoMotor) {
+    struct Wrong {
+        const char* what;
+        const char* with;
+        const char* word;
+    };
+    for (const Wrong& wrong : {Wrong{"1.23e-3", "-1.23e-3", "parameters.viscous_damping.value"},
+                               Wrong{"5.5e-4", "-5.5e-4", "parameters.inertia.value"},
+                               Wrong{"{\"value\": 26.0}", "{\"value\": -26.0}", "ratios.phi_over_J.value"},
+                               Wrong{"{\"value\": 26.0}", "{\"value\": 0}", "ratios.phi_over_J.value"},
+                               Wrong{"{\"value\": 1.4}", "{\"value\": -1.4}", "ratios.Kf_over_phi.value"},
+                               Wrong{"{\"value\": 1.4}", "{\"value\": -1.4, \"ci95\": [-1.5, -1.3]}",
+                                     "ratios.Kf_over_phi.value"}}) {
+        const Result<ModelFile> model = parseModel(replaced(Model, wrong.what, wrong.with), "m.json");
+        ASSERT_FALSE(model) << wrong.with;
+        EXPECT_EQ(model.error().code, ErrorCode::InvalidInput);
+        EXPECT_NE(model.error().message.find(wrong.word), std::string::npos) << model.error().message;
+    }
+    // All four with the other sign have the same ratios.
+    std::string all = replaced(Model, "1.23e-3", "-1.23e-3");
+    all = replaced(all, "5.5e-4", "-5.5e-4");
+    EXPECT_FALSE(parseModel(all, "m.json"));
+    // A frictionless motor is estimated a little below zero now and then.
+    EXPECT_TRUE(parseModel(replaced(Model, "{\"value\": 1.4}", "{\"value\": -2e-7, \"ci95\": [-1e-4, 1e-4]}"),
+                           "m.json"));
+}
+
+TEST(ModelFile, intervalsAreInOrderAndHoldTheirValue) {
+    for (const char* interval : {"[26.3, 25.9]", "[40, 50]", "[1, 2]", "[-5, 57]", "[0, 57]", "[25]",
+                                 "[25, null]", "[\"25\", 27]", "26"}) {
+        const Result<ModelFile> model =
+            parseModel(replaced(Model, "{\"value\": 26.0}",
+                                "{\"value\": 26.0, \"ci95\": " + std::string(interval) + "}"),
+                       "m.json");
+        ASSERT_FALSE(model) << interval;
+        EXPECT_NE(model.error().message.find("ratios.phi_over_J.ci95"), std::string::npos)
+            << model.error().message;
+    }
+    for (const char* interval : {"null", "[26, 26]", "[25.9, 26.3]"}) {
+        EXPECT_TRUE(parseModel(replaced(Model, "{\"value\": 26.0}",
+                                        "{\"value\": 26.0, \"ci95\": " + std::string(interval) + "}"),
+                               "m.json"))
+            << interval;
+    }
+}
+
+TEST(ModelFile, aDoubtfulModelKeepsItsDoubt) {
+    EXPECT_TRUE(parseModel(Model, "m.json")->estimate.doubts.empty());
+    const auto doubtful =
+        parseModel(replaced(Model, "\"good\", \"findings\": []",
+                            "\"doubtful\", \"findings\": [{\"code\": \"noisy\", \"message\": \"m\"}]"),
+                   "m.json");
+    ASSERT_TRUE(doubtful) << doubtful.error().message;
+    ASSERT_EQ(doubtful->estimate.doubts.size(), 1U);
+    EXPECT_EQ(doubtful->estimate.doubts[0].code, "doubtful_model");
+    EXPECT_NE(doubtful->estimate.doubts[0].message.find("noisy"), std::string::npos);
+    const auto wide = parseModel(
+        replaced(Model, "{\"value\": 2.236}", "{\"value\": 2.236, \"ci95\": [-1.0, 5.5]}"), "m.json");
+    ASSERT_TRUE(wide) << wide.error().message;
+    EXPECT_EQ(wide->estimate.doubts.size(), 1U) << "the damping may be negative";
+}
+
 TEST(ModelFile, refusedEstimateIsNotUsed) {
     const Result<ModelFile> model = parseModel(replaced(Model, "good", "refused"), "m.json");
     ASSERT_FALSE(model.has_value());

@@ -5,8 +5,8 @@
 #include "app/experiments/run_plan.h"
 #include "app/experiments/run_report.h"
 #include "app/experiments/step_configs.h"
+#include "app/headless/reconnecting_device.h"
 #include "app/headless/recording_file.h"
-#include "app/headless/waiting_device.h"
 #include "app/tuning/loop_conditions.h"
 #include "devices/formats/recording_file.h"
 #include "devices/open/open_device.h"
@@ -134,7 +134,7 @@ TEST_F(ExperimentRunner, aFrequencyStepIsTheProcedureOfTheCommand) {
     EXPECT_TRUE(fs::exists(folder / "loop.csv"));
     const std::string report = readFile((folder / "report.html").string()).value();
     for (const char* part : {"frequency: loop", "Measured open loop", "Measured plant", "coherence",
-                             "The excitation as recorded", "95 % interval"}) {
+                             "Excitation as recorded", "95 % interval"}) {
         EXPECT_NE(report.find(part), std::string::npos) << part;
     }
     EXPECT_FALSE(m_device->state().isArmed);
@@ -279,7 +279,7 @@ reconnect = )";
 }
 
 TEST_F(ExperimentRunner, aDeviceThatWouldBeWaitedForRunsLikeItself) {
-    const auto waiting = waitingDevice(m_context, "sim:htm", std::move(m_device));
+    const auto waiting = reconnectingDevice(m_context, "sim:htm", std::move(m_device));
     waiting->setWaiting(false);
     EXPECT_EQ(waiting->info().model, "htm");
     m_experiment = parseExperiment(Steps, "e.toml", {}).value();

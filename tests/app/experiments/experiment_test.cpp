@@ -84,7 +84,7 @@ const Mistake Mistakes[] = {
     {"type", "duration_s = 3", "duration_s = \"3\"", "e.toml:15:", "duration_s"},
     {"range", "duration_s = 3", "duration_s = -3", "e.toml:15:", "duration_s"},
     {"notFinite", "duration_s = 3", "duration_s = inf", "e.toml:15:", "duration_s"},
-    {"choice", "\"step\"", "\"circle\"", "e.toml:14:", "sine"},
+    {"choice", "\"step\"", "\"spiral\"", "e.toml:14:", "sine"},
     {"nestedKey", "amplitude_deg", "amplitude_inch", "e.toml:14:", "amplitude_deg"},
     {"settledOfOne", "duration_s = 3", "duration_s = 3\nsettled_deg = 1", "e.toml:16:", "repeat"},
     {"sameName", "\"step100\"", "\"sweep\"", "e.toml:", "sweep"},

@@ -61,7 +61,7 @@ TEST(DisturbanceFigure, theBandOfTheMotorsAndAnotherLoadAreDrawn) {
     EXPECT_GT(two->band->peak_rad.p95, two->step.peak_rad);
     const auto figure = disturbanceFigure(two->step, {}, widgets::AngleUnit::Radian, two->load_A, two->band);
     ASSERT_TRUE(figure);
-    EXPECT_EQ(figure->title.rfind("Load worth 1 A", 0), 0U) << figure->title;
+    EXPECT_EQ(figure->title.rfind("Load step equal to 1 A", 0), 0U) << figure->title;
     EXPECT_EQ(figure->panels.at(0).curves.back().style, widgets::CurveStyle::Band);
 }
 

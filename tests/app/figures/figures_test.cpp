@@ -111,7 +111,7 @@ TEST(TuningFigures, marginsAreWrittenWhereTheyAreReadOff) {
     loop.isStable = true;
     const widgets::Figure figure = openLoopFigure(loop, std::nullopt);
     EXPECT_TRUE(hasLine(figure.panels.at(1), 3.0, "38"));
-    EXPECT_TRUE(hasLine(figure.panels.at(0), 8.0, "4.2"));
+    EXPECT_TRUE(hasLine(figure.panels.at(0), 8.0, "12.5 dB"));
     AnalysisResult unstable = loop;
     unstable.isStable = false; // has no margin, whatever the curve's crossings give
     for (const widgets::Panel& panel : openLoopFigure(unstable, std::nullopt).panels) {
@@ -201,7 +201,7 @@ TEST(TuningFigures, angleUnitsScaleTheCurvesNotTheMotion) {
     EXPECT_NE(large->title.find("0.5 rad"), std::string::npos);
 }
 
-TEST(TuningFigures, keptDesignsAreDrawnUnderTheirNamesInColoursOfTheirOwn) {
+TEST(TuningFigures, savedDesignsAreDrawnUnderTheirNamesInColoursOfTheirOwn) {
     AnalysisResult loop;
     loop.bode = {{1.0, 10.0}, {20.0, -20.0}, {-90.0, -200.0}};
     loop.stepCurve = {{0.0, 1.0}, {0.0, 1.1}, {40.0, 0.0}};

@@ -92,7 +92,7 @@ TEST(FrequencyFigure, theRotorThatFitsIsDrawnThroughThePlant) {
     const auto figure = frequencyFigure(result, FrequencyView::Plant);
     const auto* rotor = curveOf(figure.panels[0], CurveStyle::DashedLine);
     ASSERT_NE(rotor, nullptr);
-    const auto first = control::heldRotorResponse(result.fit->rotor, result.period_s, 2.0 * M_PI);
+    const auto first = control::sampledPlantResponse(result.fit->rotor, result.period_s, 2.0 * M_PI);
     EXPECT_NEAR(rotor->y.front(), 20.0 * std::log10(std::abs(first)), 1e-9);
     EXPECT_NEAR(rotor->x.back(), 10.0, 1e-9);
 }

@@ -90,7 +90,7 @@ TEST(LoopFigures, theNicholsPlotMarksTheMarginsOnItsOwnTurn) {
     const widgets::Curve& phaseMargin = curve(figure, 0, "phase margin 90\u00b0");
     EXPECT_NEAR(phaseMargin.x.at(0), -90.0 - 360.0, 1e-12);
     EXPECT_NEAR(phaseMargin.y.at(0), 0.0, 1e-12);
-    const widgets::Curve& gainMargin = curve(figure, 0, "gain margin 1e+02\u00d7");
+    const widgets::Curve& gainMargin = curve(figure, 0, "gain margin 40.0 dB");
     EXPECT_NEAR(gainMargin.x.at(0), -180.0 - 360.0, 1e-12);
     EXPECT_NEAR(gainMargin.y.at(0), -40.0, 1e-12);
 }
@@ -245,7 +245,7 @@ TEST(LoopFigures, whatCirclesMinusOneIsWhatThePolesSay) {
         }
     }
     const auto loop = runAnalysis(published(), recommended(), {});
-    EXPECT_EQ(criticalPoint(*loop), "\u22121, circled 0 times; unstable poles of L: 0");
+    EXPECT_EQ(criticalPoint(*loop), "−1, 0 encirclements; unstable poles of L: 0");
     EXPECT_EQ(criticalPoint(crossing()), "\u22121"); // no roots, no count
 }
 
@@ -257,7 +257,7 @@ MeasuredLoop measuredPoints() {
 TEST(LoopFigures, measuredPointsLieInTheNyquistPlaneThoseThatAreNotCoherentHollow) {
     const widgets::Figure figure = nyquistFigure(crossing(), std::nullopt, {}, measuredPoints());
     const widgets::Curve& used = curve(figure, 0, "measured");
-    const widgets::Curve& rest = curve(figure, 0, "measured, not coherent");
+    const widgets::Curve& rest = curve(figure, 0, "measured, low coherence");
     for (const widgets::Curve* each : {&used, &rest}) {
         ASSERT_EQ(each->x.size(), 1U);
     }
@@ -285,7 +285,7 @@ TEST(LoopFigures, measuredPointsLieInTheNicholsPlotAndItsAxisReachesThem) {
     EXPECT_NEAR(points->x[0], -300.0, 1e-12);
     EXPECT_NEAR(points->y[0], 0.0, 1e-12);
     EXPECT_LE(*figure.x.min, -300.0);
-    EXPECT_EQ(curve(figure, 0, "measured, not coherent").style, widgets::CurveStyle::HollowPoints);
+    EXPECT_EQ(curve(figure, 0, "measured, low coherence").style, widgets::CurveStyle::HollowPoints);
 }
 
 TEST(LoopFigures, coherenceStandsBelowTheBodePlotWhenItWasMeasured) {
@@ -310,7 +310,7 @@ TEST(LoopFigures, planesKnowTheFrequencyOfEachSample) {
         ASSERT_TRUE(figure.parameter);
         EXPECT_EQ(figure.parameter->unit, "Hz");
         EXPECT_EQ(figure.panels.at(0).curves.at(0).parameter, crossing().bode.frequency_Hz);
-        EXPECT_EQ(curve(figure, 0, "measured, not coherent").parameter, std::vector<double>{10.0});
+        EXPECT_EQ(curve(figure, 0, "measured, low coherence").parameter, std::vector<double>{10.0});
     }
 }
 

@@ -24,7 +24,7 @@ TEST(RecordingOutput, warnsOfAnInterruptedRecordingOfItsName) {
                            [&](const std::string& text) { warnings.push_back(text); });
     ASSERT_TRUE(output.outlet().begin(StreamLayout{{{"position", "rad"}}, 0.01}));
     ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_NE(warnings[0].find("an interrupted recording was found"), std::string::npos) << warnings[0];
+    EXPECT_NE(warnings[0].find("interrupted recording found"), std::string::npos) << warnings[0];
     ASSERT_TRUE(output.finish());
     EXPECT_TRUE(QFile::exists(QString::fromStdString(path)));
 }

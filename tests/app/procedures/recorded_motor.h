@@ -5,6 +5,7 @@
 #include "control/base/units.h"
 
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,7 +31,10 @@ struct RecordedMotor {
     double scatter_ratio = 0.033;      ///< drawn for each current
     double noise_rad = 7e-4;           ///< 0.04 degrees: the steps of the converter
     double sensorError_rad = 0.01;     ///< once per turn
-    std::string text;                  ///< of the trace of a test
+    /// Current that flows for a commanded one at this speed; empty: the commanded one.
+    std::function<double(double current_A, double speed_rad_s)> amplifier;
+    double loadFriction_Nm_A2 = 0.0; ///< friction that grows with the square of the current
+    std::string text;                ///< of the trace of a test
 };
 
 /// Moves it through currents by second-order steps of 0.5 ms, rest being a state.
@@ -60,6 +64,10 @@ public:
     Recording recording;
 
 private:
+    double flowing_A(double current_A) const {
+        return m_motor.amplifier ? m_motor.amplifier(current_A, m_speed_rad_s) : current_A;
+    }
+
     double friction_Nm(double speed_rad_s, double angle_rad, double direction) const {
         double turn = 1.0;
         for (std::size_t n = 1; n <= m_motor.perTurn_ratio.size(); ++n) {
@@ -70,11 +78,12 @@ private:
         return m_motor.friction_Nm * ((1.0 + direction * m_motor.asymmetry_ratio) * m_scatter * turn +
                                       (m_motor.stribeck_ratio - 1.0) * std::exp(-ratio * ratio)) +
                m_motor.damping_Nm_s * std::fabs(speed_rad_s) +
-               m_motor.square_Nm_s2 * speed_rad_s * speed_rad_s;
+               m_motor.square_Nm_s2 * speed_rad_s * speed_rad_s + m_load_Nm;
     }
 
     void step(double current_A, double duration_s) {
-        const double torque_Nm = m_motor.torque_Nm_per_A * current_A;
+        const double torque_Nm = m_motor.torque_Nm_per_A * flowing_A(current_A);
+        m_load_Nm = m_motor.loadFriction_Nm_A2 * current_A * current_A;
         double direction = std::copysign(1.0, m_speed_rad_s);
         if (m_speed_rad_s == 0.0) {
             direction = std::copysign(1.0, torque_Nm);
@@ -99,6 +108,7 @@ private:
     RecordedMotor m_motor;
     Random m_random;
     double m_scatter = 1.0;
+    double m_load_Nm = 0.0;
     double m_angle_rad = 0.3;
     double m_speed_rad_s = 0.0;
 };

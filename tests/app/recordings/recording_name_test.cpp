@@ -137,13 +137,13 @@ TEST_F(RecordingNameTest, aWrongMaskIsRefusedWithItsPlaceAndARemedy) {
         {"", "the name mask is empty"},
         {"  ", "the name mask is empty"},
         {"run {devcie}", "name mask, character 5: there is no placeholder 'devcie'"},
-        {"run {date", "name mask, character 5: a '{' without its '}'"},
-        {"run date}", "name mask, character 9: a '}' without its '{'"},
-        {"2026/{date}", "name mask, character 5: a name has no folder in it"},
-        {"a:{date}", "name mask, character 2: file systems refuse ':'"},
+        {"run {date", "name mask, character 5: '{' without '}'"},
+        {"run date}", "name mask, character 9: '}' without '{'"},
+        {"2026/{date}", "name mask, character 5: a name cannot contain a folder"},
+        {"a:{date}", "name mask, character 2: ':' is not allowed in file names"},
         {"{number}{number}", "name mask, character 9: a second {number}"},
-        {"{date}.csv", "name mask, character 7: the ending is added to the name"},
-        {".{date}", "name mask, character 1: a name begins with neither a space nor a point"}};
+        {"{date}.csv", "name mask, character 7: the file extension is added automatically"},
+        {".{date}", "name mask, character 1: a name cannot begin with a space or a dot"}};
     for (const auto& [mask, message] : wrong) {
         const auto checked = checkNameMask(mask);
         ASSERT_FALSE(checked) << mask;
@@ -156,7 +156,7 @@ TEST_F(RecordingNameTest, aWrongMaskIsRefusedWithItsPlaceAndARemedy) {
 }
 
 TEST_F(RecordingNameTest, aNameThatNoFileSystemTakesIsRefused) {
-    EXPECT_EQ(named("{name}", QString(201, 'x')), "refused: the recording's name would have 201 octets");
+    EXPECT_EQ(named("{name}", QString(201, 'x')), "refused: the name of the recording would have 201 bytes");
     EXPECT_EQ(named("{name}", QString(200, 'x')), std::string(200, 'x'));
 }
 

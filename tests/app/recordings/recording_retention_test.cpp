@@ -125,8 +125,8 @@ TEST_F(RecordingRetentionTest, whatSomebodyValuesStaysAndTheReasonIsSaid) {
     const devices::FileHold looking(data("f"));
     const RetentionPlan found = plan("30d");
     EXPECT_EQ(names(found.removals), "");
-    EXPECT_EQ(kept(found), "a: it has tags;b: it has notes;c: a file beside it bears its name;"
-                           "d: a file beside it bears its name;e: it is write-protected;f: it is open;");
+    EXPECT_EQ(kept(found), "a: it has tags;b: it has notes;c: another file has the same name;d: another file "
+                           "has the same name;e: it is write-protected;f: it is open;");
 }
 
 TEST_F(RecordingRetentionTest, aRecordingWhoseSidecarWasWrittenTodayIsOfToday) {
@@ -156,7 +156,7 @@ TEST_F(RecordingRetentionTest, theLastDayStaysHoweverLittleRoomThereIs) {
     age("old", 0); // written again, or copied here, today
     const auto found = planRetention(folder.path(), {{}, 1}, now);
     EXPECT_EQ(names(found.removals), "");
-    EXPECT_EQ(kept(found), "old: it is of the last 24 hours;today: it is of the last 24 hours;");
+    EXPECT_EQ(kept(found), "old: it is less than 24 hours old;today: it is less than 24 hours old;");
     EXPECT_EQ(found.after_bytes, found.before_bytes);
 }
 
@@ -172,8 +172,8 @@ TEST_F(RecordingRetentionTest, nothingGoesWhileOneIsDatedAfterNow) {
         EXPECT_EQ(plan(limits).fromFuture, "ahead");
     }
     const auto room = planRetention(folder.path(), {{}, 1}, now);
-    EXPECT_EQ(kept(room),
-              "tagged: it has tags;old: the clock is in doubt;ahead: it is of the last 24 hours;");
+    EXPECT_EQ(kept(room), "tagged: it has tags;old: the date is uncertain (check the clock);ahead: it is "
+                          "less than 24 hours old;");
     EXPECT_EQ(room.after_bytes, room.before_bytes);
     age("ahead", -400);
     ASSERT_TRUE(QFile::rename(path("ahead.csv"), path("mine.csv"))); // a name of its own

@@ -155,7 +155,7 @@ TEST(TuningSection, drawsTheBandOfTheMotorsThatTheDataAllow) {
     const auto& curves = blocks<ReportPlot>(section).at(0)->figure.panels[0].curves;
     EXPECT_TRUE(std::any_of(curves.begin(), curves.end(),
                             [](const auto& curve) { return curve.style == widgets::CurveStyle::Band; }));
-    EXPECT_NE(textOf(section).find("nine tenths of the motors"), std::string::npos);
+    EXPECT_NE(textOf(section).find("5-95 % band (motor uncertainty)"), std::string::npos);
 }
 
 TEST(MoveSection, showsAnglesInDegreesFromTheStart) {
@@ -196,7 +196,7 @@ TEST(ApplySection, listsOnlyWhatChanged) {
     EXPECT_EQ(table.rows[0][0].text, "gain.kp");
     EXPECT_EQ(table.rows[0][3].text, "A/rad");
     result.after = result.before;
-    EXPECT_NE(textOf(applySection("Apply", result)).find("All 2 values were on the board already."),
+    EXPECT_NE(textOf(applySection("Apply", result)).find("All 2 values were already on the device."),
               std::string::npos);
 }
 
@@ -204,12 +204,12 @@ TEST(ApplySection, saysWhetherTheValuesStayed) {
     ApplyResult result;
     result.before = {{"gain.kp", 10.0}};
     result.after = {{"gain.kp", 40.0}};
-    EXPECT_NE(textOf(applySection("Apply", result)).find("The old values were restored."), std::string::npos);
+    EXPECT_NE(textOf(applySection("Apply", result)).find("Old values restored."), std::string::npos);
     result.isKept = true;
     result.verification = MoveResult{};
     result.predicted = MoveFigures{};
     const std::string html = textOf(applySection("Apply", result));
-    EXPECT_NE(html.find("The new values run on the board."), std::string::npos);
+    EXPECT_NE(html.find("New values active on the device."), std::string::npos);
     EXPECT_NE(html.find("predicted"), std::string::npos);
 }
 
@@ -294,7 +294,7 @@ TEST(FrequencySection, tellsMarginsWithIntervalsOrThatTheyAreWithheld) {
     }
     EXPECT_NE(words.find("phase margin|90.00\u00b0|89.00 to 91.00\u00b0|1.00 Hz|"), std::string::npos)
         << words;
-    EXPECT_NE(words.find("gain margin|withheld"), std::string::npos) << words;
+    EXPECT_NE(words.find("gain margin|not given"), std::string::npos) << words;
     EXPECT_NE(words.find("0.5|2|14|1|"), std::string::npos) << words; // the amplitude in degrees
 }
 

@@ -41,7 +41,7 @@ ConnectionEvents eventsTo(
         onEach();
         reports.take(report);
     };
-    events.onBlock = [](SampleBlockPtr) {};
+    events.onBlock = [](const TimedBlock&) {};
     return events;
 }
 

@@ -138,8 +138,8 @@ TEST_F(DeviceSessionTest, aStreamTheDeviceRefusesIsSaidAndTheDeviceStaysConnecte
 TEST_F(DeviceSessionTest, aBlockSinkHearsEveryRowThatTheDeviceSent) {
     connectMotor("", 20.0);
     std::mutex mutex;
-    std::vector<SampleBlockPtr> heard;
-    session.setBlockSink([&](const SampleBlockPtr& block) {
+    std::vector<TimedBlock> heard;
+    session.setBlockSink([&](const TimedBlock& block) {
         const std::lock_guard lock(mutex);
         heard.push_back(block);
     });
@@ -151,9 +151,11 @@ TEST_F(DeviceSessionTest, aBlockSinkHearsEveryRowThatTheDeviceSent) {
     session.disconnectDevice();
     ASSERT_TRUE(wait([&] { return session.state() == SessionState::Disconnected; })); // no call follows
     std::vector<double> times_s;
-    for (const SampleBlockPtr& block : heard) {
-        EXPECT_EQ(block->lostRows, 0U);
-        times_s.insert(times_s.end(), block->time_s.begin(), block->time_s.end());
+    for (const TimedBlock& block : heard) {
+        EXPECT_EQ(block.block->lostRows, 0U);
+        for (std::size_t row = 0; row < block.rows(); ++row) {
+            times_s.push_back(block.time_s(row));
+        }
     }
     for (std::size_t i = 1; i < times_s.size(); ++i) {             // the device sends a row every 10 ms
         ASSERT_NEAR(times_s[i] - times_s[i - 1], 0.01, 1e-9) << i; // 1e-9: rounding of seconds
@@ -170,16 +172,16 @@ TEST_F(DeviceSessionTest, aFloodThatNobodyTakesIsLeftOutAndSaid) {
                          said = level == MessageLevel::Warning ? text : said;
                      });
     std::atomic<std::size_t> rows = 0;
-    session.setBlockSink([&rows](const SampleBlockPtr& block) { rows += block->rows(); });
+    session.setBlockSink([&rows](const TimedBlock& block) { rows += block.rows(); });
     session.setLiveStream({"position"}, 1000.0);
     ASSERT_TRUE(wait([&] { return rows > 150000; })); // more than two minutes at 1 kHz
     std::size_t taken = 0;
-    for (const SampleBlockPtr& block : session.takeBlocks()) {
-        taken += block->rows();
+    for (const TimedBlock& block : session.takeBlocks()) {
+        taken += block.rows();
     }
     EXPECT_LE(taken, 120000U);
     EXPECT_GT(taken, 119000U); // full up to a block
-    EXPECT_TRUE(said.contains("not drawn"));
+    EXPECT_TRUE(said.contains("not shown"));
     EXPECT_EQ(session.state(), SessionState::Connected);
     session.end(); // the sink counts into this function's variable
 }
@@ -187,9 +189,9 @@ TEST_F(DeviceSessionTest, aFloodThatNobodyTakesIsLeftOutAndSaid) {
 TEST_F(DeviceSessionTest, displayTimeGoesOnWhileStreamsChange) {
     connectMotor("", 20.0);
     session.setLiveStream({"position"}, 100.0);
-    std::vector<SampleBlockPtr> blocks;
+    std::vector<TimedBlock> blocks;
     const auto collect = [&] {
-        for (SampleBlockPtr& block : session.takeBlocks()) {
+        for (TimedBlock& block : session.takeBlocks()) {
             blocks.push_back(std::move(block));
         }
         return blocks.size();
@@ -209,12 +211,12 @@ TEST_F(DeviceSessionTest, displayTimeGoesOnWhileStreamsChange) {
     const std::size_t before = collect();
     ASSERT_TRUE(wait([&] { return collect() > before + 3; }));
     double last_s = -1.0;
-    for (const SampleBlockPtr& block : blocks) {
-        EXPECT_GT(block->time_s.front(), last_s);
-        last_s = block->time_s.back();
+    for (const TimedBlock& block : blocks) {
+        EXPECT_GT(block.begin_s(), last_s);
+        last_s = block.end_s();
     }
-    EXPECT_EQ(blocks.front()->layout->columns.size(), 1U);
-    EXPECT_EQ(blocks.back()->layout->columns.size(), 1U); // the live stream is back
+    EXPECT_EQ(blocks.front().block->layout->columns.size(), 1U);
+    EXPECT_EQ(blocks.back().block->layout->columns.size(), 1U); // the live stream is back
 }
 
 TEST_F(DeviceSessionTest, anAddressThatCannotBeOpenedIsSaidWithItsRemedy) {

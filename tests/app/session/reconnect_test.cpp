@@ -86,7 +86,7 @@ protected:
     ConnectionReport report;
     std::uint64_t returns = 0;
     double outage_s = 0.0;
-    std::vector<SampleBlockPtr> blocks;
+    std::vector<TimedBlock> blocks;
     std::unique_ptr<Connection> connection;
 
 private:
@@ -116,7 +116,7 @@ private:
                 returns = count;
             });
         };
-        events.onBlock = [this, tell](SampleBlockPtr block) { tell([&] { blocks.push_back(block); }); };
+        events.onBlock = [this, tell](const TimedBlock& block) { tell([&] { blocks.push_back(block); }); };
         events.onStreamRefused = [](const Error& error) { ADD_FAILURE() << error.message; };
         events.onClosed = [this, tell] { tell([this] { isClosed = true; }); };
         return events;
@@ -142,13 +142,13 @@ TEST_F(ReconnectTest, aDeviceThatWasArmedComesBackDisarmedAndItsStreamGoesOn) {
     const std::lock_guard lock(mutex);
     EXPECT_FALSE(report.board.isArmed);
     // time has passed by the host's clock: a gap, and never a step back
-    double last_s = blocks.front()->time_s.front();
+    double last_s = blocks.front().begin_s();
     double longest_s = 0.0;
     for (std::size_t i = 1; i < blocks.size(); ++i) {
-        const double step_s = blocks[i]->time_s.front() - last_s;
+        const double step_s = blocks[i].begin_s() - last_s;
         ASSERT_GT(step_s, 0.0);
         longest_s = std::max(longest_s, step_s);
-        last_s = blocks[i]->time_s.back();
+        last_s = blocks[i].end_s();
     }
     EXPECT_GT(longest_s, outage_s);
     EXPECT_LT(longest_s, outage_s + 1.0); // and what it takes to start a stream, at ten times real time

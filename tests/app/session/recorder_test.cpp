@@ -238,8 +238,7 @@ TEST_F(RecorderTest, aDiskThatStallsDelaysNobodyAndWhatItMissedIsInTheSidecar) {
     }
     EXPECT_EQ(missing, dropped);
     ASSERT_EQ(file->meta.markers.size(), 1U) << "what is dropped within a second is told once";
-    EXPECT_EQ(file->meta.markers[0].text,
-              std::to_string(dropped) + " rows dropped: the disk did not keep up");
+    EXPECT_EQ(file->meta.markers[0].text, std::to_string(dropped) + " rows lost: disk too slow");
     EXPECT_NEAR(file->meta.markers[0].time_s,
                 file->meta.gaps[0].time_s - 0.01 * static_cast<double>(file->meta.gaps[0].lostRows),
                 1e-9); // where the gap begins

@@ -209,7 +209,7 @@ private:
         config.layout.period_s = 0.01;
         config.layout.columns = {{"position", "rad"}, {"speed", "rad/s"}};
         recorder = std::make_shared<Recorder>(config);
-        session.setBlockSink([kept = recorder](SampleBlockPtr block) { kept->push(std::move(block)); });
+        session.setBlockSink([kept = recorder](const TimedBlock& block) { kept->push(block); });
     }
 
     void finishRecording(std::uint64_t cycles) {

@@ -249,7 +249,7 @@ TEST_F(MainWindowTest, quittingKeepsTheWindowWithItsStopUntilWhatRunsHasEnded) {
     EXPECT_TRUE(window->findChild<widgets::StopButton*>()->isVisible());
     const auto bars = window->findChildren<widgets::MessageBar*>();
     EXPECT_TRUE(std::any_of(bars.begin(), bars.end(), [](const widgets::MessageBar* bar) {
-        return bar->isVisible() && bar->message().text.contains("ends as soon as");
+        return bar->isVisible() && bar->message().text.contains("closes after");
     }));
     fit.set_value();
     EXPECT_TRUE(wait([&] { return !window->isVisible(); }));
@@ -273,13 +273,14 @@ TEST_F(MainWindowTest, theViewMenuHasThePanelsInOneOrder) {
 
 TEST_F(MainWindowTest, anArrangementIsKeptPerPerspective) {
     open();
-    window->docks().docks().value("log")->toggleView(false);
+    const auto* log = window->docks().docks().value("log");
+    window->docks().unfold("log");
     window->docks().setPerspective(Perspective::Tune);
-    EXPECT_FALSE(window->docks().docks().value("log")->isClosed());
+    EXPECT_TRUE(log->isClosed());
     window->docks().setPerspective(Perspective::Monitor);
-    EXPECT_TRUE(window->docks().docks().value("log")->isClosed());
+    EXPECT_FALSE(log->isClosed());
     window->docks().reset();
-    EXPECT_FALSE(window->docks().docks().value("log")->isClosed());
+    EXPECT_TRUE(log->isClosed());
 }
 
 TEST_F(MainWindowTest, aDamagedArrangementIsLeftOutAndThePanelsStay) {
@@ -327,7 +328,7 @@ TEST_F(MainWindowTest, whatAProjectSaysOfRecordingsHoldsAfterThePresentOne) {
     EXPECT_EQ(recording.choice(), running);
     bool isSaid = false;
     for (const auto* bar : window->findChildren<widgets::MessageBar*>()) {
-        isSaid |= bar->isVisible() && bar->message().text.contains("from the next one on");
+        isSaid |= bar->isVisible() && bar->message().text.contains("from the next recording on");
     }
     EXPECT_TRUE(isSaid);
     Q_EMIT window->findChild<ProjectMenu*>()->collecting(); // saved meanwhile

@@ -52,6 +52,7 @@ TEST_F(TopBarTest, theFocusDoesNotStayOnWhatDisconnectsAfterConnecting) {
     ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
     EXPECT_TRUE(isHarmless());
     leave();
+    window->docks().raise("devices"); // the plots with what was measured are in front
     for (auto* address : devices->findChildren<QLineEdit*>()) {
         if (address->isVisible() && address->text().startsWith("sim:")) {
             address->setFocus();
@@ -177,7 +178,7 @@ TEST_F(TopBarTest, theStateSaysWhatRuns) {
     }
     button("Start")->click();
     ASSERT_TRUE(wait([&] { return button("End")->isEnabled(); }));
-    EXPECT_EQ(strip->stateText(), "Armed, sine on position");
+    EXPECT_EQ(strip->stateText(), "Armed: sine, position mode");
     button("End")->click();
     EXPECT_TRUE(wait([&] { return !button("End")->isEnabled(); }));
     EXPECT_EQ(strip->stateText(), "Armed");
@@ -226,7 +227,7 @@ TEST_F(TopBarTest, aStopThatStoppedNothingSaysSo) {
     QTest::mouseClick(window->findChild<widgets::StopButton*>(), Qt::LeftButton); // Esc would do nothing
     auto* strip = window->findChild<widgets::StatusStrip*>();
     ASSERT_TRUE(wait([&] { return strip->state() == widgets::WorkState::Stopped; }));
-    EXPECT_EQ(strip->stateText(), "Stopped (nothing was armed)");
+    EXPECT_EQ(strip->stateText(), "Stopped (device was disarmed)");
     ASSERT_TRUE(wait([&] { return window->bench().drive().canRelease(); }));
     window->bench().drive().releaseStop();
     ASSERT_TRUE(wait([&] { return strip->state() == widgets::WorkState::Connected; }));

@@ -86,6 +86,7 @@ TEST_F(WindowProgramTest, withBothTheDeviceOfTheArgumentIsConnected) {
     openWith({"--project", path().toStdString(), "--connect", "sim:htm?seed=4"});
     ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
     EXPECT_EQ(notes().notes(), "bearing greased");
+    window->docks().raise("devices"); // folded while a device is connected
     EXPECT_EQ(window->findChild<DevicePanel*>()->address(), "sim:htm?seed=4");
     window.reset();
 }

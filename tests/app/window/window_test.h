@@ -48,6 +48,15 @@ protected:
         window->bench().session().setPace({speed_ratio});
     }
 
+    /// Does what is posted, so that layouts have their sizes. No time passes.
+    static void settle() {
+        constexpr int Depth = 4; // a layout inside a layout posts its own request when the outer one is done
+        for (int i = 0; i < Depth; ++i) {
+            QCoreApplication::sendPostedEvents();
+            QCoreApplication::processEvents();
+        }
+    }
+
     DeviceSession& session() { return window->bench().session(); }
 
     template <typename Condition>

@@ -1,5 +1,5 @@
 #include "app/wizards/calibrate_panel.h"
-#include "app/wizards/calibrate_words.h"
+#include "app/wizards/calibrate_text.h"
 #include "app/workbench/wall_clock.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/panel_fixture.h"
@@ -42,6 +42,36 @@ protected:
     CalibratePanel panel{bench};
 };
 
+TEST_F(CalibratePanelTest, recordsAMotionMadeByHand) {
+    connectMotor("sim:spherical?motion=5&adc=1&seed=2", 0.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    const auto boxes = panel.findChildren<QCheckBox*>();
+    const auto shown = std::count_if(boxes.begin(), boxes.end(), [](const QCheckBox* box) {
+        return box->text().contains("fr&iction") && !box->isHidden();
+    });
+    EXPECT_EQ(shown, 0); // nothing drives the rotor
+    click(panel, "Start calibration");
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    const auto* table = panel.findChild<widgets::EstimateTable*>();
+    EXPECT_TRUE(table->text().contains("gain error r of sensor 0")) << table->text().toStdString();
+    EXPECT_TRUE(table->text().contains("harmonic (4,2)")) << table->text().toStdString();
+    EXPECT_TRUE(pictures().isEmpty()) << pictures().join(", ").toStdString();
+    const auto before = valuesNow();
+    click(panel, "Apply");
+    ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); })) << message().toStdString();
+    EXPECT_NE(valuesNow().at("sensor.gain_1"), before.at("sensor.gain_1"));
+    click(panel, "Restore");
+    ASSERT_TRUE(wait([&] { return valuesNow().at("sensor.gain_1") == before.at("sensor.gain_1"); }));
+}
+
+TEST_F(CalibratePanelTest, refusesAMotionThatDoesNotExcite) {
+    connectMotor("sim:spherical?adc=1&seed=2", 0.0);
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
+    click(panel, "Start calibration");
+    ASSERT_TRUE(wait([&] { return isResultShown(); })) << message().toStdString();
+    EXPECT_FALSE(isEnabled(panel, "Apply"));
+}
+
 TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     connectMotor("sim:htm?seed=5", 0.0);
     const auto before = valuesNow();
@@ -60,7 +90,7 @@ TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     EXPECT_TRUE(wait([&] { return apply->visibleRegion().boundingRect() == apply->rect(); }));
     click(panel, "Apply");
     ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); })) << message().toStdString();
-    EXPECT_TRUE(message().endsWith("until the simulated device is disconnected.")) << message().toStdString();
+    EXPECT_TRUE(message().endsWith("when the simulated device is disconnected.")) << message().toStdString();
     const auto after = valuesNow();
     EXPECT_NE(after.at("hall.offset_a"), before.at("hall.offset_a"));
     EXPECT_EQ(after.at("gain.kp"), before.at("gain.kp"));
@@ -68,7 +98,7 @@ TEST_F(CalibratePanelTest, proposesAppliesOnPurposeAndRestores) {
     const auto now = [](double offset_T) { return "\t" + widgets::numberText(offset_T * 1e3, 4); };
     EXPECT_TRUE(table->text().contains(now(after.at("hall.offset_a")))) << table->text().toStdString();
     click(panel, "Restore");
-    ASSERT_TRUE(wait([&] { return message().contains("before are back"); }));
+    ASSERT_TRUE(wait([&] { return message().contains("Previous values restored"); }));
     EXPECT_EQ(valuesNow(), before);
     EXPECT_TRUE(table->text().contains(now(before.at("hall.offset_a")))) << table->text().toStdString();
     // Whoever writes it: beside the figure stands what the device has.
@@ -98,7 +128,7 @@ TEST_F(CalibratePanelTest, aResultIsNotAppliedToAnotherBoardNorToAnArmedOne) {
     EXPECT_TRUE(isResultShown()) << "it is not lost";
     EXPECT_TRUE(panel.record());
     EXPECT_FALSE(isEnabled(panel, "Apply"));
-    EXPECT_TRUE(message().contains("Connected is another one")) << message().toStdString();
+    EXPECT_TRUE(message().contains("Another device is connected")) << message().toStdString();
 }
 
 TEST_F(CalibratePanelTest, aResultOfThisSessionIsForItsDeviceAfterAReconnectLikeOneOfTheProject) {
@@ -116,8 +146,8 @@ TEST_F(CalibratePanelTest, aResultOfThisSessionIsForItsDeviceAfterAReconnectLike
     EXPECT_FALSE(isEnabled(panel, "Apply"));
     connectMotor("sim:htm?seed=5", 0.0); // begins with the values that it keeps
     EXPECT_TRUE(isResultShown());
-    EXPECT_TRUE(message().contains("It is the device that is connected.")) << message().toStdString();
-    ASSERT_TRUE(wait([&] { return remedy().contains("does not have these values yet: Apply"); }))
+    EXPECT_TRUE(message().contains("Same as the connected device.")) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return remedy().contains("Not on the device yet: press Apply"); }))
         << remedy().toStdString();
     const auto before = valuesNow();
     EXPECT_NE(before.at("hall.offset_a"), calibrated.at("hall.offset_a"));
@@ -125,7 +155,7 @@ TEST_F(CalibratePanelTest, aResultOfThisSessionIsForItsDeviceAfterAReconnectLike
     ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); }));
     EXPECT_EQ(valuesNow(), calibrated);
     click(panel, "Restore");
-    ASSERT_TRUE(wait([&] { return message().contains("before are back"); }));
+    ASSERT_TRUE(wait([&] { return message().contains("Previous values restored"); }));
     EXPECT_EQ(valuesNow(), before);
 }
 
@@ -136,7 +166,7 @@ TEST_F(CalibratePanelTest, disconnectingWhileItRunsSaysWhyItEnded) {
     ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed; }));
     bench.session().disconnectDevice();
     ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Disconnected; }));
-    EXPECT_TRUE(message().contains("because the device was disconnected")) << message().toStdString();
+    EXPECT_TRUE(message().contains("Stopped: the device was disconnected")) << message().toStdString();
     EXPECT_TRUE(remedy().contains("disarmed")) << remedy().toStdString();
 }
 
@@ -198,7 +228,7 @@ TEST_F(CalibratePanelTest, whatStartsAndEndsItIsInSightHoweverLittleRoomThereIs)
     click(panel, "Start calibration");
     EXPECT_TRUE(isWhole(panel, "Cancel"));
     click(panel, "Cancel");
-    ASSERT_TRUE(wait([&] { return message().contains("was cancelled"); })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return message().contains("cancelled"); })) << message().toStdString();
     ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start calibration"); }));
     EXPECT_TRUE(isWhole(panel, "Start calibration"));
 }
@@ -220,23 +250,23 @@ TEST_F(CalibratePanelTest, aCalibrationOfTheProjectIsAppliedOnPurposeAndRestores
     const auto before = valuesNow();
     panel.restore(measuredOn(bench.session().info()));
     EXPECT_TRUE(message().contains(localDate("2026-05-04T03:02:01Z"))) << message().toStdString();
-    EXPECT_TRUE(message().contains("It is the device that is connected.")) << message().toStdString();
+    EXPECT_TRUE(message().contains("Same as the connected device.")) << message().toStdString();
     EXPECT_EQ(valuesNow(), before); // showing it writes nothing
     click(panel, "Apply");
     ASSERT_TRUE(wait([&] { return message().startsWith("Applied"); }));
     EXPECT_NEAR(valuesNow().at("hall.offset_a"), 1e-3, 1e-9); // float32 on the board
     click(panel, "Restore");
-    ASSERT_TRUE(wait([&] { return message().contains("before are back"); }));
+    ASSERT_TRUE(wait([&] { return message().contains("Previous values restored"); }));
     EXPECT_EQ(valuesNow(), before);
 }
 
 TEST_F(CalibratePanelTest, aCalibrationThatTheBoardHasIsNotCalledMissing) {
     connectMotor("sim:htm?seed=5", 0.0);
     panel.restore(measuredOn(bench.session().info()));
-    EXPECT_TRUE(remedy().contains("does not have these values yet")) << remedy().toStdString();
+    EXPECT_TRUE(remedy().contains("Not on the device yet")) << remedy().toStdString();
     const CalibrationRecord record = measuredOn(bench.session().info());
     bench.writeValues(record.result.proposed, [](const Result<void>&) {}); // by another panel
-    EXPECT_TRUE(wait([&] { return remedy().startsWith("The board has these values"); }))
+    EXPECT_TRUE(wait([&] { return remedy().startsWith("These values are on the device"); }))
         << remedy().toStdString();
 }
 
@@ -312,10 +342,11 @@ TEST(CalibrateWords, definesTheResidualAngleErrorOnce) {
     EXPECT_TRUE(calibrationGain(result, {}).isEmpty());
     result.residualBefore_rad = degreesToRadians(2.0);
     result.residualAfter_rad = degreesToRadians(0.25);
+    result.figures.push_back({"hall.offset_a", "T", {}});
     const QString text = calibrationGain(result, {});
     EXPECT_TRUE(text.startsWith("Residual angle error: 2\u00b0")) << text.toStdString();
     EXPECT_TRUE(text.contains("0.25\u00b0 with the proposed"));
-    EXPECT_TRUE(text.contains("root mean square (rms)"));
+    EXPECT_TRUE(text.contains("Root mean square"));
 }
 
 TEST(CalibrateWords, saysThatTheBreakawayCurrentIsNotFrictionWhileMoving) {

@@ -127,7 +127,7 @@ TEST_F(FrequencyPanelTest, showsCoherenceUnderTheBodeAndTheRawRecordOneClickAway
     ASSERT_GE(table->rowCount(), 2);
     EXPECT_EQ(table->item(0, 0)->text(), "phase margin");
     EXPECT_FALSE(table->text().contains("inf")) << table->text().toStdString();
-    EXPECT_TRUE(words().contains("frequencies have a coherence of 0.900 or more")) << words().toStdString();
+    EXPECT_TRUE(words().contains("frequencies have a coherence of at least 0.900")) << words().toStdString();
     EXPECT_EQ(valuesNow(), before); // gains, windows and all else are as they were
     EXPECT_FALSE(bench.session().report().board.isArmed);
     FrequencyResult used;
@@ -145,8 +145,8 @@ TEST_F(FrequencyPanelTest, saysBeforehandWhatMovesAndNeedsADeviceToMoveIt) {
     ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start measurement"); }));
     // The base of 5 rad/s is raised to where 8 s hold 6.382 turns... 2 pi 6.382/8 = 5.01 rad/s, or the next
     EXPECT_TRUE(words().contains("The rotor will turn forward at 5.")) << words().toStdString();
-    EXPECT_TRUE(words().contains("its speed never changes sign"));
-    EXPECT_TRUE(words().contains("Current up to 3.")); // of 4 A
+    EXPECT_TRUE(words().contains("The speed keeps its sign"));
+    EXPECT_TRUE(words().contains("Maximum current 3.")); // of 4 A
     write("Base speed", "-6");
     EXPECT_TRUE(words().contains("turn in reverse")) << words().toStdString();
     bench.session().disconnectDevice();

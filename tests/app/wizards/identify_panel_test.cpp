@@ -109,7 +109,7 @@ TEST_F(IdentifyPanelTest, savesTheSameBytesAsTheBatchProgramForTheSameSeed) {
     ASSERT_EQ(batch.exitCode(), 0) << batch.readAllStandardError().toStdString();
     EXPECT_EQ(content(path("panel.json")), content(path("batch.json")));
     ASSERT_TRUE(bench.identification());
-    EXPECT_TRUE(isEnabled(panel, "Tune with this"));
+    EXPECT_TRUE(isEnabled(panel, "Tune with this model"));
 }
 
 TEST_F(IdentifyPanelTest, saysWhatWillMoveAndNeedsADeviceToMoveIt) {
@@ -122,7 +122,7 @@ TEST_F(IdentifyPanelTest, saysWhatWillMoveAndNeedsADeviceToMoveIt) {
     }
     // (phi 4 A - K_f)/c of the published motor: 29.8 rad/s (htm-theory.md section 2)
     EXPECT_TRUE(text.contains("at up to 30 rad/s (286 r/min)")) << text.toStdString();
-    EXPECT_TRUE(text.contains("Current up to 4.0 A"));
+    EXPECT_TRUE(text.contains("Maximum current 4.0 A"));
     EXPECT_TRUE(text.contains("Coils 25 \u00b0C now"));
     bench.session().disconnectDevice();
     EXPECT_FALSE(isEnabled(panel, "Start identification"));
@@ -153,11 +153,11 @@ TEST_F(IdentifyPanelTest, aCurrentThatIsNoneKeepsItFromStartingWhileItIsShown) {
         EXPECT_EQ(last->value(), before_A) << wrong;
         EXPECT_FALSE(isEnabled(panel, "Start identification")) << "the click that takes the focus: " << wrong;
         EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); })) << wrong;
-        EXPECT_TRUE(hasLabel("To current: '" + QString(wrong) + "' cannot be used. ")) << wrong;
-        EXPECT_TRUE(hasLabel(" The field shows 4.00 A again.")) << wrong;
+        EXPECT_TRUE(hasLabel("To current: '" + QString(wrong) + "' is not valid. ")) << wrong;
+        EXPECT_TRUE(hasLabel(" Reset to 4.00 A.")) << wrong;
         type(1, "3"); // not entered yet, but it is what is shown
-        EXPECT_FALSE(hasLabel("cannot be used")) << wrong;
-        EXPECT_TRUE(hasLabel("Current up to 3.0 A")) << wrong;
+        EXPECT_FALSE(hasLabel("is not valid")) << wrong;
+        EXPECT_TRUE(hasLabel("Maximum current 3.0 A")) << wrong;
         type(1, "4");
         QTest::keyClick(last, Qt::Key_Return);
     }
@@ -188,7 +188,7 @@ TEST_F(IdentifyPanelTest, aSweepThatEndsBelowItsStartIsMarkedAndSaid) {
     QTest::keyClick(last, Qt::Key_Return);
     button(panel, "Advanced")->setFocus();
     EXPECT_EQ(widgets::roleOf(*last), widgets::Role::Bad);
-    EXPECT_TRUE(hasLabel("To current: It is smaller than \"From current\"."));
+    EXPECT_TRUE(hasLabel("To current: Smaller than \"From current\"."));
     EXPECT_FALSE(isEnabled(panel, "Start identification"));
     type(0, "0.5");
     QTest::keyClick(last, Qt::Key_Tab);
@@ -210,7 +210,7 @@ TEST_F(IdentifyPanelTest, withoutAGivenConstantItSaysWhatWouldSupplyTheScale) {
         isSaid = isSaid || (label->isVisible() && label->text().contains("Not identifiable: J"));
     }
     EXPECT_TRUE(isSaid);
-    EXPECT_TRUE(isEnabled(panel, "Tune with this")); // the quotients are enough
+    EXPECT_TRUE(isEnabled(panel, "Tune with this model")); // the quotients are enough
 }
 
 TEST_F(IdentifyPanelTest, aResultCarriesTheWallClocksStartAndTheDevicesDuration) {
@@ -254,10 +254,10 @@ TEST_F(IdentifyPanelTest, aResultOfTheProjectSaysWhetherItsDeviceIsTheOneThatIsC
     EXPECT_TRUE(message().contains("No device is connected")) << message().toStdString();
     connectMotor("sim:htm", 0.0);
     EXPECT_TRUE(message().contains(localDate("2026-05-04T03:02:01Z"))) << message().toStdString();
-    EXPECT_TRUE(message().contains("Connected is another one: ")) << message().toStdString();
+    EXPECT_TRUE(message().contains("Another device is connected: ")) << message().toStdString();
     header.device = bench.session().info();
     bench.setIdentification(result, {header, ResultOrigin::Project});
-    EXPECT_TRUE(message().contains("It is the device that is connected.")) << message().toStdString();
+    EXPECT_TRUE(message().contains("Same as the connected device.")) << message().toStdString();
 }
 
 // A small screen, with as much said above as there is after a sweep that was cancelled.
@@ -268,7 +268,7 @@ TEST_F(IdentifyPanelTest, whatStartsAndEndsItIsInSightHoweverLittleRoomThereIs) 
     click(panel, "Start identification");
     EXPECT_TRUE(isWhole(panel, "Cancel"));
     click(panel, "Cancel");
-    ASSERT_TRUE(wait([&] { return message().contains("was cancelled"); })) << message().toStdString();
+    ASSERT_TRUE(wait([&] { return message().contains("cancelled"); })) << message().toStdString();
     ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
     EXPECT_TRUE(isWhole(panel, "Start identification"));
     auto* pace = child<PaceRow>();
@@ -353,13 +353,13 @@ TEST_F(IdentifyPanelTest, aDeviceLostMidWayIsSaidInPlaceAndThePanelStaysUsable) 
     ASSERT_TRUE(
         wait([&] { return bench.session().state() == SessionState::Reconnecting && !message().isEmpty(); }));
     EXPECT_TRUE(bench.session().procedure().isEmpty());
-    EXPECT_TRUE(message().contains("the connection to the device was lost")) << message().toStdString();
+    EXPECT_TRUE(message().contains("connection to the device lost")) << message().toStdString();
     EXPECT_TRUE(child<widgets::MessageBar>()->message().remedy.contains("watchdog disarms it"));
     EXPECT_FALSE(isEnabled(panel, "Start identification"));
     EXPECT_NE(button(panel, "Start identification"), nullptr);
     bench.session().disconnectDevice();
     connectMotor("sim:htm", 0.0); // another device, and on it goes
-    EXPECT_TRUE(message().contains("was lost")) << "still there to be read: " << message().toStdString();
+    EXPECT_TRUE(message().contains("lost")) << "still there to be read: " << message().toStdString();
     EXPECT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
     board.waitForFinished(Patience_ms);
 }
@@ -371,12 +371,12 @@ TEST_F(IdentifyPanelTest, disconnectingWhileItRunsSaysWhyItEnded) {
     ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed; }));
     bench.session().disconnectDevice();
     ASSERT_TRUE(wait([&] { return bench.session().state() == SessionState::Disconnected; }));
-    EXPECT_TRUE(message().contains("because the device was disconnected")) << message().toStdString();
+    EXPECT_TRUE(message().contains("Stopped: the device was disconnected")) << message().toStdString();
     const QString remedy = child<widgets::MessageBar>()->message().remedy;
     EXPECT_TRUE(remedy.contains("disarmed")) << remedy.toStdString();
     connectMotor("sim:htm", 0.0);
     ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start identification"); }));
-    EXPECT_TRUE(message().contains("because the device was disconnected")) << "until the next one starts";
+    EXPECT_TRUE(message().contains("Stopped: the device was disconnected")) << "until the next one starts";
     click(panel, "Start identification");
     EXPECT_TRUE(message().isEmpty());
     ASSERT_TRUE(wait([&] { return !bench.session().procedure().isEmpty(); }));

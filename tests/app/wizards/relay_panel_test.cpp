@@ -70,7 +70,7 @@ TEST_F(RelayPanelTest, savesTheSameBytesAsTheBatchProgram) {
     batch.start(HALBENCH_PROGRAM, {"identify", "sim:htm?imperfections=off", "--relay", "--cycles", "60",
                                    "--out", path("batch.json")});
     connectMotor("sim:htm?imperfections=off", 0.0);
-    write("Swings", "60");
+    write("Cycles", "60");
     measure();
     click(panel, "Save result\u2026");
     ASSERT_TRUE(wait([&] { return message().startsWith("Saved"); })) << message().toStdString();
@@ -88,8 +88,8 @@ TEST_F(RelayPanelTest, showsTheUltimateGainInWordsAndHandsItToTune) {
     ASSERT_EQ(table->rowCount(), 4);
     EXPECT_EQ(table->item(0, 0)->text(), "ultimate gain");
     EXPECT_TRUE(table->text().contains("published motor")) << table->text().toStdString();
-    EXPECT_TRUE(words().contains("swings of")) << words().toStdString();
-    EXPECT_TRUE(words().contains("identify the motor to compare"));
+    EXPECT_TRUE(words().contains("cycles of")) << words().toStdString();
+    EXPECT_TRUE(words().contains("Identify the motor"));
     EXPECT_FALSE(panel.findChild<widgets::FigureView*>()->figure().panels.at(0).curves.at(0).x.empty());
     EXPECT_EQ(valuesNow(), before); // gains, limits, windows and all else are as they were
     EXPECT_FALSE(bench.session().report().board.isArmed);
@@ -120,20 +120,20 @@ TEST_F(RelayPanelTest, saysBeforehandWhatMovesAndRefusesWhatCannotBeDoneSafely) 
     connectMotor("sim:htm", 0.0);
     ASSERT_TRUE(wait([&] { return isEnabled(panel, "Start experiment"); }));
     EXPECT_TRUE(words().contains("The rotor will turn forward at 6.0")) << words().toStdString();
-    EXPECT_TRUE(words().contains("its speed never changes sign"));
-    EXPECT_TRUE(words().contains("Current up to 3.2")) << words().toStdString();
+    EXPECT_TRUE(words().contains("The speed keeps its sign"));
+    EXPECT_TRUE(words().contains("Maximum current 3.2")) << words().toStdString();
     write("Base speed", "-7");
     EXPECT_TRUE(words().contains("turn in reverse")) << words().toStdString();
     write("Base speed", "2");
     EXPECT_FALSE(isEnabled(panel, "Start experiment"));
     write("Base speed", "");
     EXPECT_TRUE(isEnabled(panel, "Start experiment"));
-    write("Height of the relay", "1"); // less than friction needs
+    write("Relay amplitude", "1"); // less than friction needs
     EXPECT_FALSE(isEnabled(panel, "Start experiment"));
     EXPECT_TRUE(words().contains("standstill")) << words().toStdString();
-    write("Height of the relay", "abc");
+    write("Relay amplitude", "abc");
     EXPECT_FALSE(isEnabled(panel, "Start experiment"));
-    write("Height of the relay", "");
+    write("Relay amplitude", "");
     EXPECT_TRUE(isEnabled(panel, "Start experiment"));
     bench.session().disconnectDevice();
     EXPECT_FALSE(isEnabled(panel, "Start experiment"));

@@ -164,7 +164,7 @@ TEST_F(MonitorMarkersTest, areAtTheirRowAfterTheDevicesClockBeganAgain) {
     ahead.layout = std::make_shared<const StreamLayout>(StreamLayout{{{"hall.a", "T"}}, 0.001});
     ahead.time_s = {bench().history().range()->end_s + 3.0};
     ahead.values = {0.0};
-    bench().show(ahead, true);
+    bench().show(ahead, 0.0, true);
     ASSERT_TRUE(wait([&] { return bench().history().range()->end_s > ahead.time_s[0] + 0.1; }));
     ASSERT_GT(bench().recordingTrigger().shifts().newest(), 2.0) << "else this proves nothing";
     startRecording("anew");
@@ -274,7 +274,7 @@ TEST_F(MonitorMarkersTest, whereThereIsNoSidecarItIsSaidThatTheyAreNotKept) {
     show(path);
     stack().action(Command::Marker)->trigger();
     auto* message = panel->findChild<widgets::MessageBar*>();
-    ASSERT_TRUE(wait([&] { return message->isVisible() && message->message().text.contains("not kept"); }));
+    ASSERT_TRUE(wait([&] { return message->isVisible() && message->message().text.contains("not saved"); }));
     EXPECT_FALSE(QFile::exists(folder.filePath("bare.meta.json")));
 }
 

@@ -1,11 +1,13 @@
 #include "tests/conformance/actuator/toy_model.h"
 
+#include "devices/simulated/axes_firmware.h"
 #include "devices/simulated/override_table.h"
 #include "tests/conformance/actuator/toy_board.h"
 
+#include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
+#include <string_view>
+#include <vector>
 
 namespace halbench::devices {
 namespace {
@@ -15,101 +17,116 @@ struct ToyParameters {
 };
 
 struct Truth {
-    double position_m;
+    double position_m[2];
 };
 
-const hb_signal TruthSignals[1] = {HB_SIGNAL("truth.position", "m", HB_FLOAT64, Truth, position_m, 1.0F,
-                                             -10.0F, 10.0F, nullptr, "True position")};
+const hb_signal TruthSignals[] = {HB_SIGNAL("truth.position.x", "m", HB_FLOAT64, Truth, position_m[0], 1.0F,
+                                            -1000.0F, 1000.0F, nullptr, "True position"),
+                                  HB_SIGNAL("truth.position.y", "m", HB_FLOAT64, Truth, position_m[1], 1.0F,
+                                            -1000.0F, 1000.0F, nullptr, "True position")};
 
-/// m x'' + 1 N s/m x' = 5 N/A (i_a cos(2 pi x/pitch) + i_b sin(2 pi x/pitch)); currents follow at once.
+/// m x'' + 1 N s/m x' = 5 N/A i - F sgn x', F = 0 on x and 0.3 N on y; currents follow at once.
 class ToyPlant final : public Plant {
 public:
-    explicit ToyPlant(const ToyParameters& parameters) : m_parameters(parameters) {}
+    explicit ToyPlant(const ToyParameters& parameters) : m_mass_kg(parameters.mass_kg) {}
 
-    void read(std::span<float> readings) override { readings[0] = static_cast<float>(m_truth.position_m); }
-    void drive(std::span<const float> outputs) override { m_current_A = {outputs[0], outputs[1]}; }
+    void read(std::span<float> readings) override { std::copy_n(m_truth.position_m, 2, readings.begin()); }
+    void drive(std::span<const float> outputs) override {
+        std::copy_n(outputs.begin(), 2, m_current_A.begin());
+    }
     void advance(int subSteps) override {
         constexpr double Step_s = 0.25e-3;
-        for (int i = 0; i < subSteps; ++i) {
-            const double phase = 2.0 * std::numbers::pi / 0.02 * m_truth.position_m;
-            const double force_N =
-                5.0 * (m_current_A.first * std::cos(phase) + m_current_A.second * std::sin(phase)) -
-                m_speed_m_s;
-            m_speed_m_s += force_N / m_parameters.mass_kg * Step_s;
-            m_truth.position_m += m_speed_m_s * Step_s;
+        constexpr std::array Friction_N = {0.0, 0.3};
+        for (int k = 0; k < subSteps; ++k) {
+            for (std::size_t i = 0; i < 2; ++i) {
+                double& speed_m_s = m_speed_m_s[i];
+                speed_m_s += (5.0 * m_current_A[i] - speed_m_s) / m_mass_kg * Step_s;
+                // Friction takes away at most the motion that there is.
+                const double loss_m_s = Friction_N[i] / m_mass_kg * Step_s;
+                speed_m_s -= std::copysign(std::min(std::fabs(speed_m_s), loss_m_s), speed_m_s);
+                m_truth.position_m[i] += speed_m_s * Step_s;
+            }
         }
     }
-    hb_signal_table truth() const override { return {TruthSignals, 1, &m_truth}; }
+    hb_signal_table truth() const override { return {TruthSignals, std::size(TruthSignals), &m_truth}; }
 
 private:
-    ToyParameters m_parameters;
+    double m_mass_kg;
     Truth m_truth{};
-    double m_speed_m_s = 0.0;
-    std::pair<double, double> m_current_A{};
+    std::array<double, 2> m_speed_m_s{};
+    std::array<float, 2> m_current_A{};
 };
 
-class ToyFirmware final : public Firmware {
+/// The toy's tables without what arms and drives.
+class SensingTables {
 public:
-    ToyFirmware(const Plant& plant, SimulatedBoard::Line line) {
-        hb_board_config config{};
-        config.device = "sim-toy";
-        config.transport_a2l = line.a2l;
-        config.max_dto = line.maxDto;
-        config.extra = plant.truth();
-        toy_board_init(&m_toy, &toy_actuator, &config);
+    SensingTables() : m_actuator(toy_actuator) {
+        for (const hb_parameter& parameter :
+             std::span(toy_actuator.parameters, toy_actuator.parameter_count)) {
+            const std::string_view name = parameter.entry.words; // a zero follows the name
+            const bool isDriven = name == "hb.arm" || name == "hb.mode" || name.starts_with("hb.setpoint") ||
+                                  name.starts_with("gain.") || name.starts_with("limit.") ||
+                                  name.starts_with("reference.");
+            if (!isDriven) {
+                m_parameters.push_back(parameter);
+            }
+        }
+        m_actuator.model = "sense";
+        m_actuator.parameters = m_parameters.data();
+        m_actuator.parameter_count = static_cast<std::uint16_t>(m_parameters.size());
+        m_actuator.axis_count = 0;
     }
-    const hb_board& board() const override { return m_toy.board; }
-    void tick(std::span<const float> readings, std::span<float> outputs) override {
-        hb_board_tick(&m_toy.board, readings.data());
-        outputs[0] = m_toy.signals.current_A[0];
-        outputs[1] = m_toy.signals.current_A[1];
-    }
+    const hb_actuator& actuator() const { return m_actuator; }
 
 private:
-    toy_board m_toy{};
+    std::vector<hb_parameter> m_parameters;
+    hb_actuator m_actuator;
 };
 
 Result<ToyParameters> toyParameters(const Overrides& overrides) {
     const auto unchanged = [](ToyParameters parameters) { return parameters; };
-    const OverrideTable<ToyParameters> table = {
-        "sim:toy",
-        "m, seed, imperfections, chain",
-        [](std::string_view key) { return key == "m"; },
-        [](ToyParameters& parameters, std::string_view, double value) -> Result<void> {
-            if (!(value > 0.0)) {
-                return failure(ErrorCode::OutOfRange, "m must be positive", "give a mass in kg");
-            }
-            parameters.mass_kg = value;
-            return {};
-        },
-        unchanged,
-        unchanged};
-    return withOverrides(table, overrides);
+    const auto setMass = [](ToyParameters& parameters, std::string_view, double value) -> Result<void> {
+        if (!(value > 0.0)) {
+            return failure(ErrorCode::OutOfRange, "m must be positive", "give a mass in kg");
+        }
+        parameters.mass_kg = value;
+        return {};
+    };
+    return withOverrides(OverrideTable<ToyParameters>{"sim:toy", "m, seed, imperfections, chain",
+                                                      [](std::string_view key) { return key == "m"; },
+                                                      setMass, unchanged, unchanged},
+                         overrides);
 }
 
-} // namespace
-
-SimulatedModel toyModel() {
-    SimulatedModel model;
-    model.name = "toy";
-    model.title = "Slide with two coils";
-    model.overrides = "m, seed, imperfections, chain";
-    model.check = [](const Overrides& overrides) -> Result<void> {
+SimulatedModel modelOf(std::string name, std::string title, const hb_actuator& actuator) {
+    const auto check = [](const Overrides& overrides) -> Result<void> {
         const Result<ToyParameters> parameters = toyParameters(overrides);
         return parameters ? Result<void>() : failure(parameters.error());
     };
-    model.make = [](const Overrides& overrides, std::uint64_t,
-                    SimulatedBoard::Line line) -> Result<std::unique_ptr<SimulatedBoard>> {
+    const auto make = [name,
+                       &actuator](const Overrides& overrides, std::uint64_t,
+                                  SimulatedBoard::Line line) -> Result<std::unique_ptr<SimulatedBoard>> {
         const Result<ToyParameters> parameters = toyParameters(overrides);
         if (!parameters) {
             return failure(parameters.error());
         }
         auto plant = std::make_unique<ToyPlant>(*parameters);
-        auto firmware = std::make_unique<ToyFirmware>(*plant, line);
+        auto firmware = std::make_unique<AxesFirmware>(actuator, "sim-" + name, *plant, line);
         return std::make_unique<SimulatedBoard>(
-            SimulatedActuator{std::move(plant), std::move(firmware), 1, 2});
+            SimulatedActuator{std::move(plant), std::move(firmware), 2, 2});
     };
-    return model;
+    return {std::move(name), std::move(title), "m, seed, imperfections, chain", check, make};
+}
+
+} // namespace
+
+SimulatedModel toyModel() {
+    return modelOf("toy", "Two slides", toy_actuator);
+}
+
+SimulatedModel sensingToyModel() {
+    static const SensingTables Tables;
+    return modelOf("sense", "Two slides with scales", Tables.actuator());
 }
 
 } // namespace halbench::devices

@@ -4,7 +4,11 @@
 
 namespace halbench::devices {
 
-/// `sim:toy?m=0.2`: the slide of toy_board.h, of mass m in kg, on a damping of 1 N s/m. The seed is not used.
+/// `sim:toy?m=0.2`: the slides of toy_board.h, each of mass m in kg on a damping of 1 N s/m; 0.3 N of
+/// friction on y. The seed is not used.
 SimulatedModel toyModel();
+
+/// `sim:sense`: the same slides, moved by nothing, on a board that only senses: no order to arm and no axis.
+SimulatedModel sensingToyModel();
 
 } // namespace halbench::devices

@@ -285,7 +285,7 @@ class UnrulyNetwork(unittest.TestCase):
 
 class OtherFirmware(ProgramCase):
     """A description of another firmware than the board's: said everywhere, and nothing is written."""
-    SAID = "but its description is of 'FW-OTHER'"
+    SAID = "its description is of 'FW-OTHER'"
 
     def setUp(self):
         self.serve("plain")
@@ -311,7 +311,7 @@ class OtherFirmware(ProgramCase):
                                 ("record", ("--duration", "0.1", "--signals", "counter", "--out", path))):
             with self.subTest(verb=verb):
                 answer = self.accept(verb, *arguments)
-                self.assertRegex(answer.err, f"warning: the board runs firmware '{self.epk}', {self.SAID}")
+                self.assertRegex(answer.err, f"warning: the board runs firmware '{self.epk}', but {self.SAID}")
                 quality = answer.json()["data_quality"]
                 self.assertEqual(quality["verdict"], "doubtful")
                 self.assertEqual([f["code"] for f in quality["findings"]], ["other_firmware"])
@@ -325,7 +325,7 @@ class OtherFirmware(ProgramCase):
                 self.assertIn(answer.code, (2, 3), answer)
                 self.assertIn(self.SAID, answer.err)
                 self.assertTrue(answer.json()["hint"], answer)
-        self.assertIn("nothing is written", self.run_on("set", "gain.kp=12").json()["message"])
+        self.assertIn("writing is blocked", self.run_on("set", "gain.kp=12").json()["message"])
         self.assertEqual(self.board_value("gain.kp"), self.kept)
         self.assertEqual(self.board_value("hb.arm"), 0)
 

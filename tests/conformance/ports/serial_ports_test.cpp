@@ -56,7 +56,7 @@ TEST(SerialPorts, theConsoleIsNotOfferedAsABoard) {
     const MockSerialPort uart(machine, "ttyS1", "4");
     const PortListing listed = onlyPort();
     EXPECT_EQ(listed.reason, "it is the console of this machine");
-    EXPECT_NE(listed.hint.find("take another port"), std::string::npos);
+    EXPECT_NE(listed.hint.find("use another port"), std::string::npos);
 }
 
 TEST(SerialPorts, anotherTerminalsConsoleDoesNotMatter) {

@@ -57,10 +57,10 @@ TEST(HaltedBoard, endsTheConnectionInItsOwnWordsAndIsOpenedAgain) {
     UsbPort port(Name);
     ASSERT_TRUE(port.open(inbox));
     board.halt();
-    EXPECT_EQ(endOf(inbox), "usb:1209:0001: the board halted its endpoint");
+    EXPECT_EQ(endOf(inbox), "usb:1209:0001: the device halted its endpoint");
     const auto written = port.write(Few);
     ASSERT_FALSE(written);
-    EXPECT_EQ(written.error().message, "usb:1209:0001: the board halted its endpoint")
+    EXPECT_EQ(written.error().message, "usb:1209:0001: the device halted its endpoint")
         << "nobody unplugged it";
     inbox.clear();
     ASSERT_TRUE(port.open(inbox));
@@ -96,7 +96,7 @@ TEST(HeldBoard, aDriverThatDoesNotLetGoIsNamed) {
     UsbPort port(Name);
     const auto opened = port.open(inbox);
     ASSERT_FALSE(opened);
-    EXPECT_TRUE(has(opened.error().message, "the kernel driver 'usbtest' does not let go of it"))
+    EXPECT_TRUE(has(opened.error().message, "the kernel driver 'usbtest' cannot be detached"))
         << opened.error().message;
     EXPECT_EQ(opened.error().hint, "unload the driver: sudo modprobe -r usbtest");
     EXPECT_EQ(board.driver(), "usbtest");

@@ -64,7 +64,7 @@ class Addresses(ProgramCase):
 
     def test_malformed_addresses_are_refused(self):
         for uri in ("", ":", "sim", "sim:", "htm", "sim:htm?", "sim:htm?J", "sim:htm?=1", "sim:htm?J=", "sim:htm?J=1&",
-                    "sim:htm?J=1&J=2", "sim:htm??J=1", "foo:bar", "sim:nothing", "sim:spherical",
+                    "sim:htm?J=1&J=2", "sim:htm??J=1", "foo:bar", "sim:nothing", "sim:linear",
                     "sim:htm ", "SIM:htm?x\ny", "tcp:", "tcp:localhost", "tcp:127.0.0.1:", "tcp:127.0.0.1:0x10",
                     "tcp:127.0.0.1:99999", "tcp:127.0.0.1:-1", "replay:", "replay:/no/such/file.csv",
                     "tcp:127.0.0.1:5555?J=1"):
@@ -138,7 +138,7 @@ class Files(ProgramCase):
                               ("twice", ["speed,speed"]), ("--duration", ["speed", "--duration", "1"]),
                               ("--signals", ["speed", "--signals", "position"]), ("300 Hz.*333", ["speed", "--rate", "300"]),
                               ("before the trigger", ["speed", "--pre-trigger", "1"]), ("zero seconds", ["speed", "--wait", "0"]),
-                              ("no trigger", ["speed", "--trigger", "soon"]), ("no signal 'a'", ["speed", "--trigger", "a>1"]),
+                              ("not a trigger", ["speed", "--trigger", "soon"]), ("no signal 'a'", ["speed", "--trigger", "a>1"]),
                               ("--pre-trigger", ["speed", "--pre-trigger", "half"])):
             with self.subTest(more=more):
                 self.refuse(2, pattern, "record", "sim:htm", "--out", "f.csv", "--capture", *more)
@@ -147,7 +147,7 @@ class Files(ProgramCase):
                     "--trigger", "speed>100", "--wait", "2")
         for code, pattern, more in ((2, "belong to --trigger", ["--pre-trigger", "1"]),
                                     (2, "belong to --trigger", ["--wait", "1"]),
-                                    (2, "no trigger", ["--trigger", "soon"]),
+                                    (2, "not a trigger", ["--trigger", "soon"]),
                                     (2, "no signal 'a'", ["--trigger", "a>1"]),
                                     (2, "not be negative", ["--trigger", "speed>1", "--pre-trigger", "-1"]),
                                     (2, "zero seconds", ["--trigger", "speed>1", "--wait", "0"]),
@@ -262,7 +262,7 @@ class Models(ProgramCase):
                 self.refuse(2, r"\w", "tune", "sim:htm", *option)
         for option, words in ((["--max-sensitivity", "1"], "1.1 and 3"), (["--max-sensitivity", "calm"], "--max-sensitivity"),
                               (["--current-limit-a", "-1"], "--current-limit-a"), (["--step-deg", "400"], "0 and 360"),
-                              (["--current-limit-a", "40"], "own limit of 4 A")):
+                              (["--current-limit-a", "40"], "device limit of 4 A")):
             with self.subTest(option=option):
                 self.refuse(2, words, "tune", "sim:htm", "--method", "min-iae", *option)
 
@@ -282,7 +282,7 @@ class Experiments(ProgramCase):
         self.assert_nothing_left("e.toml")
 
     def test_mistakes_are_told_with_line_and_column(self):
-        wrong = (("kind = \"move\"", "kind = \"dance\"", 6, "calibrate"), ("shape = \"step\"", "shape = \"circle\"", 8, "sine"),
+        wrong = (("kind = \"move\"", "kind = \"dance\"", 6, "calibrate"), ("shape = \"step\"", "shape = \"spiral\"", 8, "sine"),
                  ("duration_s = 1.0", "duration_s = \"long\"", 9, "duration_s"),
                  ("duration_s = 1.0", "duration_s = -1", 9, "duration_s"), ("duration_s = 1.0", "duration_s = nan", 9, "duration_s"),
                  ("duration_s = 1.0", "duration_ms = 1000", 9, "duration_s"),

@@ -9,7 +9,7 @@ import unittest
 import halbench
 from halbench import ProgramCase
 
-FROM_CACHE, FROM_BOARD = "taken from the cache", "read from the board"
+FROM_CACHE, FROM_BOARD = "taken from the cache", "read from the device"
 
 
 class Cache(ProgramCase):

@@ -162,7 +162,7 @@ class Retention(Comparing):
             file.write("9,9,9\n")
         os.utime(self.path("a.csv"), (1.7e9, 1.7e9))
         (removal,) = self.retain("--retain", "1d", "--delete")["removals"]
-        self.assertEqual((removal["action"], removal["kept_because"]), ("kept", "'a' stays: its rows were changed"))
+        self.assertEqual((removal["action"], removal["kept_because"]), ("kept", "'a' is kept: its data were changed"))
         self.assertEqual(self.files(), ["a.csv", "a.meta.json"])
 
     def test_what_is_recorded_by_a_mask_is_named_counted_and_retained(self):
@@ -180,7 +180,7 @@ class Retention(Comparing):
     def test_wrong_orders_are_refused_with_a_remedy(self):
         self.old("a", 40)
         before = self.files()
-        for message, arguments in (("does not understand '30'", ("--retain", "30")),
+        for message, arguments in (("invalid limit '30'", ("--retain", "30")),
                                    ("belong to --retain", ("--delete",)),
                                    ("exclude each other", ("--retain", "30d", "--delete", "--trash")),
                                    ("--search does not go", ("--retain", "30d", "--search", "x")),

@@ -38,8 +38,8 @@ class Documents(ProgramCase):
     def test_the_help_names_every_shipped_experiment(self):
         with open(os.path.join(REPOSITORY, "resources/help/command-line.md"), encoding="utf-8") as file:
             named = set(re.findall(r"`([\w-]+\.toml)`", file.read()))
-        folder = os.path.join(REPOSITORY, "resources/experiments/htm")
-        shipped = {name for name in os.listdir(folder) if name.endswith(".toml")}
+        folder = os.path.join(REPOSITORY, "resources/experiments")
+        shipped = {name for _, _, names in os.walk(folder) for name in names if name.endswith(".toml")}
         self.assertGreater(len(shipped), 20)
         self.assertEqual(shipped - named, set())
         self.assertEqual(named - shipped, set())

@@ -125,7 +125,7 @@ class Mdf4(ExportCase):
                 file.write(whole[:size])
             answer = self.run_program("convert", "cut.mf4", "out.csv")
             self.assertEqual(answer.code, 2, answer)
-            self.assertRegex(answer.err, r"cut\.mf4: block (ID|##[A-Z]{2}) at octet \d+: ")
+            self.assertRegex(answer.err, r"cut\.mf4: block (ID|##[A-Z]{2}) at byte \d+: ")
 
 
 class Mat(ExportCase):

@@ -66,7 +66,7 @@ class Import(ProgramCase):
                               ("1,234;2\n2,345;3\n", (["--decimal", ","],))):
             self.write("in.csv", text)
             rate = ["--rate_Hz", "10", "--out", "out.csv"]
-            refused = self.refuse(2, r"not certain; add --", "import", "in.csv", *rate)
+            refused = self.refuse(2, r"uncertain; add --", "import", "in.csv", *rate)
             self.assert_nothing_left("in.csv")
             preview = self.accept("import", "in.csv", "--preview", "--json").json()
             self.assertIsNone(preview["dialect"])
@@ -75,13 +75,13 @@ class Import(ProgramCase):
                 self.assertIn(answer["option"], refused.err)
             for options in answers:
                 self.accept("import", "in.csv", *rate, *options)
-            self.assertIn("not certain", self.accept("import", "in.csv", "--preview").out)
+            self.assertIn("uncertain", self.accept("import", "in.csv", "--preview").out)
             for name in ("out.csv", "out.meta.json"):
                 os.remove(self.path(name))
 
     def test_time_and_units_are_asked_for(self):
         self.write("in.csv", "x;omega\n0,5;60\n1,5;120\n2,5;180\n")
-        self.refuse(2, r"time is not certain; add --time x .* or --rate_Hz F", "import", "in.csv", "--out", "o.csv")
+        self.refuse(2, r"time column is uncertain; add --time x .* or --rate_Hz F", "import", "in.csv", "--out", "o.csv")
         self.refuse(2, r"unit of column 'x' .*unit of column 'omega' .*--unit 'x=ms'.*--unit 'omega=rpm'", "import", "in.csv",
                     "--out", "o.csv", "--time", "x", "--map", "speed=omega")
         self.accept("import", "in.csv", "--out", "o.csv", "--time", "x", "--unit", "x=s", "--map", "speed=omega",
@@ -93,7 +93,7 @@ class Import(ProgramCase):
         for options, pattern in (
                 (["--separator", "x"], "--separator"), (["--decimal", "x"], "--decimal"), (["--header", "2"], "--header"),
                 (["--rate_Hz", "fast"], "--rate_Hz"), (["--rate_Hz", "-1"], "--rate_Hz"), (["--map", "speed"], "--map"),
-                (["--map", "speed=b"], "no column 'b'"), (["--unit", "a=furlong"], "no unit"), (["--time", "b"], "'b'"),
+                (["--map", "speed=b"], "no column 'b'"), (["--unit", "a=furlong"], "is not a known unit"), (["--time", "b"], "'b'"),
                 (["--separator", ";"], r"in\.csv:\d:\d: "), (["--decimal", ","], r"in\.csv:\d:\d: ")):
             with self.subTest(options=options):
                 self.refuse(2, pattern, "import", "in.csv", "--out", "o.csv", *options)

@@ -91,7 +91,7 @@ class Killed(BoardCase):
     def test_nothing_to_recover_is_said(self):
         for text in ("", "time_s,posi", "time_s,position_rad\n", "time_s,position_rad\n0,"):
             self.write("f.csv.partial", text)
-            self.refuse(2, "no whole row", "convert", "f.csv.partial", "f.csv")
+            self.refuse(2, "no complete row", "convert", "f.csv.partial", "f.csv")
         self.assert_nothing_left("f.csv.partial")
 
 

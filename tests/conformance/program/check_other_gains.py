@@ -41,7 +41,7 @@ class OtherGains(ProgramCase):
         answer = self.run_program("analyse", "m.json", "g.json", "--what-if", "move.csv")
         self.assertEqual(answer.code, 1)
         self.assertIn("WITHHELD", answer.out)
-        self.assertIn("does not explain the recorded move", answer.out)
+        self.assertIn("does not match the recorded move", answer.out)
         document = self.run_program("analyse", "m.json", "g.json", "--what-if", "move.csv", "--json").json()["what_if"]
         self.assertIsNone(document["predicted"])
         self.assertEqual(document["data_quality"]["verdict"], "refused")
@@ -126,8 +126,8 @@ class OtherGains(ProgramCase):
         self.prepare()
         answer = self.run_program("tune", "m.json", "--apply", "sim:htm?seed=3&J=1.65e-3", "--live")
         self.assertEqual(answer.code, 1)
-        self.assertIn("left the predicted band", answer.out)
-        self.assertIn("not kept, the old gains run again", answer.out)
+        self.assertIn("outside the predicted band", answer.out)
+        self.assertIn("not kept, old gains restored", answer.out)
 
 
 if __name__ == "__main__":

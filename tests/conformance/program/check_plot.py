@@ -86,13 +86,13 @@ class Plots(ProgramCase):
             with self.subTest(arguments=arguments):
                 self.refuse(2, pattern, *arguments)
         refuse(r"no format of pictures.*\.svg, \.pdf and \.png", "plot", "f.csv", "--out", "a.jpg")
-        refuse("no signal 'speed'.*it has hall.a", "plot", "f.csv", "--out", "a.svg", "--signals", "speed")
+        refuse("no signal 'speed'.*available: hall.a", "plot", "f.csv", "--out", "a.svg", "--signals", "speed")
         refuse("no rows in this interval", "plot", "f.csv", "--out", "a.svg", "--from", "9")
         refuse("--out", "plot", "f.csv")
-        for text, place in (("x = hall.a +* 2", "x: column 9 of the expression: '\\*' is not expected"),
-                            ("x = hall.c", "column 1 of the expression: there is no signal 'hall.c'"),
-                            ("x = (hall.a", r"column 8 of the expression: a \) is missing"),
-                            ("x = hall.a + position", "no unit follows.*write the unit"),
+        for text, place in (("x = hall.a +* 2", "x: column 9 of the expression: unexpected '\\*'"),
+                            ("x = hall.c", "column 1 of the expression: unknown signal 'hall.c'"),
+                            ("x = (hall.a", r"column 8 of the expression: missing \)"),
+                            ("x = hall.a + position", "unit of the expression cannot be determined.*give the unit"),
                             ("hall.a = position", "'hall.a' is taken"),
                             ("hall.a + 1", "--derive: 'hall.a \\+ 1' defines no signal")):
             refuse(place, "convert", "f.csv", "g.csv", "--derive", text)

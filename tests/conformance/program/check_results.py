@@ -154,7 +154,7 @@ class Results(ProgramCase):
         self.accept("tune", "m.json", "--out", "g.json")
         self.accept("calibrate", "sim:htm", "stray", "--apply", "--out", "c.json")
         for command in (["tune", "m.json"], ["analyse", "m.json", "g.json"]):
-            self.assertIn("\nStable, if what is assumed here is true:\n  ", self.accept(*command).out)
+            self.assertIn("\nStable under the stated assumptions:\n  ", self.accept(*command).out)
             self.assertRegex(self.accept(*command, "--calibration", "c.json").out, r"\nGood: (robustly )?stable\n")
 
     def test_a_calibration_tells_how_well_the_stray_field_is_known(self):

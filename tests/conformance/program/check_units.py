@@ -49,6 +49,16 @@ class RecordedUnits(ProgramCase):
                 self.assert_same(self.identified("u.csv", position, "current_command_A", turn=lambda x, f=per_radian: x * f))
         self.assert_same(self.identified("u.csv", "position_rad", "current_command_mA", scale=lambda x: x * 1e3))
 
+    def test_the_time_is_converted_too(self):
+        for name, per_second in (("time_ms", 1e3), ("time_us", 1e6), ("time [ms]", 1e3), ("time_min", 1 / 60)):
+            with self.subTest(name):
+                lines = [f"{name},position_deg,current_command_mA"]
+                lines += [f"{t * per_second!r},{math.degrees(angle)!r},{amps * 1e3!r}" for t, angle, amps in self.rows]
+                self.write("t.csv", "\n".join(lines) + "\n")
+                self.assert_same(self.accept("identify", "t.csv", *GIVEN, "--json").json())
+        self.write("t.csv", "time_Hz,position_rad,current_command_A\n0,0,0\n1,0,0\n")
+        self.refuse(2, "halbench import", "identify", "t.csv")
+
     def test_another_quantity_is_refused_by_every_reader(self):
         for position in ("position_mm", "position [furlong]", "position_counts", "position_V"):
             self.table("u.csv", position, "current_command_A")
@@ -56,6 +66,12 @@ class RecordedUnits(ProgramCase):
                            ("spectrum", "u.csv", "--signal", "current_command", "--out", "s.csv")):
                 with self.subTest(f"{reader[0]} {position}"):
                     self.refuse(2, "column 'position", *reader)
+
+    def test_a_column_that_is_missing_is_told_with_those_that_are_there(self):
+        for position, name in (("position_furlongs", "position_furlongs"), ("Winkel", "Winkel"), ("pos_rad", "pos")):
+            self.table("u.csv", position, "current_command_A")
+            with self.subTest(position):
+                self.refuse(2, f"present: {name}, current_command", "identify", "u.csv", *GIVEN)
 
     def test_an_angle_that_wraps_is_put_together_again(self):
         for begin in (0.0, -math.pi):
@@ -131,12 +147,12 @@ class Overwriting(ProgramCase):
         for command in (("record", "sim:htm", "--duration", "1", "--out", "there.csv"),
                         ("move", "sim:htm", "--reference", "step,amplitude_deg=5", "--duration", "1", "--out", "there.csv"),
                         ("identify", "sim:htm", "--record", "there.csv")):
-            self.refuse(2, "there.csv' is there already", *command, is_forced=False)
+            self.refuse(2, "there.csv' exists already", *command, is_forced=False)
         with open(self.path("there.csv"), encoding="utf-8") as file:
             self.assertEqual(file.read(), "mine\n")
         self.accept("record", "sim:htm", "--duration", "1", "--out", "there.csv", "--force", is_forced=False)
         os.remove(self.path("there.csv"))
-        self.refuse(2, "there.meta.json' is there already", "record", "sim:htm", "--duration", "1", "--out", "there.csv",
+        self.refuse(2, "there.meta.json' exists already", "record", "sim:htm", "--duration", "1", "--out", "there.csv",
                     is_forced=False)
 
     def read_octets(self, name):
@@ -155,8 +171,8 @@ class Overwriting(ProgramCase):
         os.mkdir(self.path("out"))
         self.write("out/thesis.docx", "mine\n")
         experiment = os.path.join(halbench.REPOSITORY, "resources", "experiments", "htm", "tour.toml")
-        self.refuse(2, "holds something else", "run", experiment, "--out", "out", is_forced=False)
-        self.refuse(2, "holds something else", "run", experiment, "--out", "out")
+        self.refuse(2, "contains files that are not results", "run", experiment, "--out", "out", is_forced=False)
+        self.refuse(2, "contains files that are not results", "run", experiment, "--out", "out")
         self.assert_nothing_left("out/thesis.docx")
 
 

@@ -178,7 +178,7 @@ TEST_P(UncheckedStreamConformance, nonsenseEndsAStreamAtOnceAndInItsOwnWords) {
     Octets packet;
     const auto ended = m_transport->receive(packet, Patience_s);
     ASSERT_FALSE(ended);
-    EXPECT_NE(ended.error().message.find("0 octets"), std::string::npos) << ended.error().message;
+    EXPECT_NE(ended.error().message.find("0 bytes"), std::string::npos) << ended.error().message;
     EXPECT_EQ(m_transport->statistics().packetsDamaged, 1U);
     connect(*m_transport);
     m_far->deliver(framed(0, First));
@@ -214,7 +214,7 @@ TEST_P(StallConformance, aBoardThatTakesNothingIsGivenUpWithinTwoSeconds) {
     }
     ASSERT_FALSE(sent);
     EXPECT_EQ(sent.error().code, ErrorCode::DeviceLost);
-    EXPECT_NE(sent.error().message.find("takes no more"), std::string::npos) << sent.error().message;
+    EXPECT_NE(sent.error().message.find("accepts no more"), std::string::npos) << sent.error().message;
     EXPECT_LT(longest_s, Patience_s);
     EXPECT_FALSE(m_transport->send(packet)) << "given up means closed";
     m_far->setStalled(false);

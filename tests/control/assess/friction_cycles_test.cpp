@@ -1,7 +1,7 @@
 #include "control/assess/friction_cycles.h"
 #include "control/base/random.h"
 #include "control/base/units.h"
-#include "control/law/held_rotor.h"
+#include "control/law/sampled_axis.h"
 
 #include <gtest/gtest.h>
 

@@ -94,13 +94,14 @@ TEST(PositionRoutes, theNoiseGainIsTheIntegralOverFrequency) {
     Random random(303);
     for (int round = 0; round < 40; ++round) {
         const OwnLoop own = randomStableLoop(random);
-        const auto proof = proveDesign(own.plant, own.gains, own.timing, 4.0, 10.0 * own.timing.period_s);
-        ASSERT_TRUE(proof.has_value());
+        const auto assessment =
+            assessDesign(own.plant, own.gains, own.timing, 4.0, 10.0 * own.timing.period_s);
+        ASSERT_TRUE(assessment.has_value());
         // 1e-9, and what the closed polynomial has lost where its slowest roots are.
         const TransferFunction loop = *sampledOpenLoop(own.plant, own.gains, own.timing);
         const auto closed = *feedback(loop, TransferFunction::gain(1.0, loop.timeBase()));
         const double slowest_rad_s = (1.0 - own.poleRadius()) / own.timing.period_s;
-        EXPECT_NEAR(proof->noiseGain_A_per_rad / noiseByIntegral(own), 1.0,
+        EXPECT_NEAR(assessment->noiseGain_A_per_rad / noiseByIntegral(own), 1.0,
                     1e-9 + 100.0 * roundingOf(closed, slowest_rad_s))
             << round;
     }
@@ -110,28 +111,29 @@ TEST(PositionRoutes, theProofIsThatOfTheStates) {
     Random random(304);
     for (int round = 0; round < 40; ++round) {
         const OwnLoop own = randomStableLoop(random);
-        const auto proof = proveDesign(own.plant, own.gains, own.timing, 4.0, 200.0 * own.timing.period_s);
-        ASSERT_TRUE(proof.has_value());
+        const auto assessment =
+            assessDesign(own.plant, own.gains, own.timing, 4.0, 200.0 * own.timing.period_s);
+        ASSERT_TRUE(assessment.has_value());
         const StateSpace states = own.open();
-        EXPECT_TRUE(proof->isStable);
-        EXPECT_NEAR(proof->poleRadius, own.poleRadius(), 1e-6) << round; // as above
+        EXPECT_TRUE(assessment->isStable);
+        EXPECT_NEAR(assessment->poleRadius, own.poleRadius(), 1e-6) << round; // as above
         OwnLoop later = own;
         later.timing.delay_samples += 1;
-        EXPECT_NEAR(proof->poleRadiusOneSampleLater, later.poleRadius(), 1e-6) << round;
-        EXPECT_NEAR(proof->peaks.Ms_ratio / largestMagnitude(sensitivityOf(states)), 1.0, 1e-8) << round;
-        EXPECT_NEAR(proof->peaks.Mt_ratio / largestMagnitude(complementOf(states)), 1.0, 1e-8) << round;
+        EXPECT_NEAR(assessment->poleRadiusOneSampleLater, later.poleRadius(), 1e-6) << round;
+        EXPECT_NEAR(assessment->peaks.Ms_ratio / largestMagnitude(sensitivityOf(states)), 1.0, 1e-8) << round;
+        EXPECT_NEAR(assessment->peaks.Mt_ratio / largestMagnitude(complementOf(states)), 1.0, 1e-8) << round;
         const double peak_A = largest(own.run(1.0, 0.0, 201, 1).current_A);
-        EXPECT_NEAR(proof->peakCurrent_A / peak_A, 1.0, 1e-10) << round;
-        EXPECT_NEAR(proof->largestStep_rad * peak_A / 4.0, 1.0, 1e-10) << round;
-        EXPECT_NEAR(proof->fastGain_A_per_rad,
+        EXPECT_NEAR(assessment->peakCurrent_A / peak_A, 1.0, 1e-10) << round;
+        EXPECT_NEAR(assessment->largestStep_rad * peak_A / 4.0, 1.0, 1e-10) << round;
+        EXPECT_NEAR(assessment->fastGain_A_per_rad,
                     own.gains.proportional + own.gains.derivative / own.timing.period_s,
-                    1e-12 * proof->fastGain_A_per_rad);
+                    1e-12 * assessment->fastGain_A_per_rad);
         // The limit of K_P: stable just below, not just above, without integral action.
         OwnLoop edge = own;
         edge.gains.integral = 0.0;
-        edge.gains.proportional = proof->proportionalLimit_A_per_rad * (1.0 - 1e-5);
+        edge.gains.proportional = assessment->proportionalLimit_A_per_rad * (1.0 - 1e-5);
         EXPECT_LE(edge.poleRadius(), 1.0 + 1e-9) << round;
-        edge.gains.proportional = proof->proportionalLimit_A_per_rad * (1.0 + 1e-5);
+        edge.gains.proportional = assessment->proportionalLimit_A_per_rad * (1.0 + 1e-5);
         EXPECT_GT(edge.poleRadius(), 1.0) << round;
     }
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace halbench::control {
 namespace {
@@ -23,6 +24,12 @@ TEST(Distributions, studentMeetsClosedFormsForOneAndTwoDegrees) {
     // one degree is Cauchy's distribution, two degrees have t = sqrt(2 u^2/(1 - u^2)), u = 2p - 1
     EXPECT_NEAR(studentQuantile(0.9, 1), std::tan(M_PI * 0.4), 1e-11);
     EXPECT_NEAR(studentQuantile(0.9, 2), std::sqrt(2.0 * 0.64 / (1.0 - 0.64)), 1e-11);
+}
+
+TEST(Distributions, studentOfInfiniteFreedomIsTheNormalDistribution) {
+    constexpr double Infinite = std::numeric_limits<double>::infinity();
+    EXPECT_NEAR(studentTwoSided(1.959963985, Infinite), 0.05, 1e-9); // printed table
+    EXPECT_NEAR(studentTwoSided(-1.3, Infinite), std::erfc(1.3 / std::sqrt(2.0)), 1e-14);
 }
 
 TEST(Distributions, agreeWithThePrintedTablesOfFisherAndChiSquare) {

@@ -16,8 +16,7 @@ std::uint64_t lostOf(const std::vector<double>& time_s, double period_s = Period
     RowGrid grid(period_s);
     std::uint64_t lost = 0;
     for (std::size_t row = 0; row < time_s.size(); ++row) {
-        const std::size_t known = std::min(time_s.size() - row, RowGrid::LookAhead + 1);
-        const std::uint64_t missing = grid.missingBefore(std::span(time_s).subspan(row, known));
+        const std::uint64_t missing = grid.missingBefore(std::span(time_s).subspan(row));
         grid.take(time_s[row], missing);
         lost += missing;
     }
@@ -55,7 +54,7 @@ TEST(RowGrid, jitterOfAThirdOfAPeriodLosesNothingAndHidesNoLoss) {
     std::vector<double> time_s;
     std::uint64_t lost = 0;
     for (int row = 0; row < 5000; ++row) {
-        if (row > 50 && random.below(20) == 0) {
+        if (row > 50 && row < 4990 && random.below(20) == 0) { // the last rows have none behind that tell
             ++lost;
         } else {
             time_s.push_back(Period_s * (row + 0.6 * random.uniform() - 0.3));
@@ -95,15 +94,78 @@ TEST(RowGrid, withoutAPeriodOrBeforeTheFirstRowNothingIsMissing) {
     EXPECT_EQ(RowGrid(1.0).missingBefore(std::vector<double>{5.0}), 0U);
 }
 
-TEST(RowGrid, onlyALongStepThatIsNoWholeNumberOfPeriodsIsInDoubt) {
+TEST(RowGrid, aBoardThatIsHeldUpAndCatchesUpLosesNothing) {
+    // A task that sleeps until its next moment, on a processor that others use: it is held up now and then,
+    // for up to a hundred periods, and stamps the rows that are due then at once, 20 us apart.
+    for (const double hold_periods : {0.7, 1.5, 3.0, 3.01, 12.4, 100.0}) {
+        Random random(static_cast<std::uint64_t>(10.0 * hold_periods));
+        const auto rows_a_hold =
+            static_cast<std::uint64_t>(20.0 + 3.0 * hold_periods); // it keeps up on the whole
+        double now = 0.0;
+        const auto time_s = stampsOf(6000, [&](std::size_t row) {
+            now = std::max(now + 0.02, static_cast<double>(row));
+            now += random.below(rows_a_hold) == 0 ? hold_periods * random.uniform() : 0.0;
+            return now;
+        });
+        EXPECT_EQ(lostOf(time_s), 0U) << hold_periods;
+    }
+}
+
+TEST(RowGrid, rowsThatAHeldUpBoardLeavesOutAreCounted) {
+    // As before, but after each hold-up the board goes on with the row that is due and leaves out the others.
+    Random random(8);
+    std::vector<double> time_s;
+    std::uint64_t lost = 0;
+    for (int row = 0; row < 6000; ++row) {
+        time_s.push_back(Period_s * (row + 0.1 * random.uniform()));
+        if (row > 20 && row < 5960 && random.below(60) == 0) {
+            const int left = 1 + static_cast<int>(random.below(12));
+            lost += static_cast<std::uint64_t>(left);
+            row += left;
+        }
+    }
+    EXPECT_EQ(lostOf(time_s), lost);
+}
+
+/// A grid of period 1 up to row 0, whose stamps were so far off.
+RowGrid gridWith(double scatter) {
     RowGrid grid(1.0);
-    EXPECT_FALSE(grid.isInDoubt(7.0)) << "the first row";
-    grid.take(0.0, 0);
-    EXPECT_FALSE(grid.isInDoubt(1.2));
-    EXPECT_TRUE(grid.isInDoubt(1.7));
-    EXPECT_FALSE(grid.isInDoubt(2.0)) << "a stamp on the grid is behind a loss";
-    EXPECT_FALSE(grid.isInDoubt(5.0));
-    EXPECT_TRUE(grid.isInDoubt(5.3));
+    for (int row = -40; row <= 0; ++row) {
+        grid.take(row + (row < 0 && row % 2 == 0 ? scatter : 0.0), 0);
+    }
+    return grid;
+}
+
+TEST(RowGrid, aLongStepIsInDoubtUntilSixteenRowsHaveItsShift) {
+    const RowGrid grid = gridWith(0.05);
+    EXPECT_FALSE(RowGrid(1.0).isInDoubt(std::vector<double>{7.0})) << "the first row";
+    EXPECT_FALSE(grid.isInDoubt(std::vector<double>{1.2}));
+    std::vector<double> next_s{3.0};
+    for (std::size_t behind = 0; behind < RowGrid::LookAhead; ++behind) {
+        EXPECT_TRUE(grid.isInDoubt(next_s)) << behind;
+        next_s.push_back(next_s.back() + 1.0);
+    }
+    EXPECT_FALSE(grid.isInDoubt(next_s));
+    EXPECT_EQ(grid.missingBefore(next_s), 2U);
+    EXPECT_FALSE(grid.isInDoubt(std::vector<double>{3.0, 3.1, 3.2}))
+        << "caught up: row 3 is there at its time";
+    EXPECT_EQ(grid.missingBefore(std::vector<double>{3.0, 3.1, 3.2}), 0U);
+}
+
+TEST(RowGrid, ofATimerThatStampsExactlyAWholeStepIsALossAtOnce) {
+    EXPECT_FALSE(gridWith(0.0).isInDoubt(std::vector<double>{3.0}));
+    EXPECT_EQ(gridWith(0.0).missingBefore(std::vector<double>{3.0}), 2U);
+    EXPECT_TRUE(gridWith(0.0).isInDoubt(std::vector<double>{3.3}));
+    EXPECT_TRUE(gridWith(0.05).isInDoubt(std::vector<double>{3.0}))
+        << "a late stamp may stand there by chance";
+}
+
+TEST(RowGrid, atTheEndOnlyAnExactStepIsALoss) {
+    EXPECT_EQ(gridWith(0.0).missingBefore(std::vector<double>{3.4}), 0U);
+    EXPECT_EQ(gridWith(0.05).missingBefore(std::vector<double>{3.0}), 0U);
+    EXPECT_EQ(gridWith(0.05).missingBefore(std::vector<double>{3.0, 4.0}), 2U)
+        << "the next has the same shift";
+    EXPECT_EQ(gridWith(0.05).missingBefore(std::vector<double>{3.0}, true), 2U) << "the transport says so";
 }
 
 } // namespace

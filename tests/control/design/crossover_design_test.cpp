@@ -173,7 +173,7 @@ TEST(CrossoverDesign, aFactorStopsAtTheLimitOfStability) {
 
 // What stands around the gains is in the loop that crosses there: read off that loop.
 TEST(CrossoverDesign, throughFiltersTheLoopHasTheCrossoverAndTheMarginToo) {
-    ShapedLaw around;
+    FilteredLaw around;
     around.gains.filter_s = 0.003;
     around.filters = {NotchFilter{200.0, 0.3, 0.4}, LowPassFilter{280.0, 1}};
     const CrossoverAim aim{35.0, 35.0, 0.04};
@@ -182,10 +182,10 @@ TEST(CrossoverDesign, throughFiltersTheLoopHasTheCrossoverAndTheMarginToo) {
         const auto design = designCrossover(published(), timing, {35.0, delay == 0 ? 35.0 : 20.0, 0.02},
                                             CrossoverPriority::Margin, around);
         ASSERT_TRUE(design);
-        ShapedLaw law = around;
+        FilteredLaw law = around;
         law.gains = design->gains;
         law.gains.filter_s = around.gains.filter_s;
-        const auto loop = shapedOpenLoop(published(), law, timing);
+        const auto loop = filteredOpenLoop(published(), law, timing);
         ASSERT_TRUE(loop);
         EXPECT_LT(poleRadius(*loop), 1.0);
         const StabilityMargins margins = smallestMargins(*loop);
@@ -199,7 +199,7 @@ TEST(CrossoverDesign, throughFiltersTheLoopHasTheCrossoverAndTheMarginToo) {
         law.gains.proportional *= 1.001 * factor;
         law.gains.integral *= 1.001 * factor;
         law.gains.derivative *= 1.001 * factor;
-        EXPECT_GT(poleRadius(*shapedOpenLoop(published(), law, timing)), 1.0);
+        EXPECT_GT(poleRadius(*filteredOpenLoop(published(), law, timing)), 1.0);
     }
     around.filters = {LowPassFilter{1e6, 1}};
     EXPECT_FALSE(designCrossover(published(), NoDelay, aim, CrossoverPriority::Margin, around));

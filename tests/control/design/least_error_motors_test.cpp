@@ -44,8 +44,9 @@ TEST(LeastErrorOfMotors, isFoundAtTheEndsOfTheRange) {
                 const PositionPlant plant{damping, 26.0, 1.4};
                 const auto design = designLeastError(plant, timing, {ErrorMeasure::Iae, mostMs, {}}, 4.0);
                 ASSERT_TRUE(design) << damping << " " << mostMs << ": " << design.error().message;
-                EXPECT_LE(design->proof.peaks.Ms_ratio, 1.001 * mostMs);
-                EXPECT_GT(design->proof.peaks.Ms_ratio, 0.99 * mostMs) << damping; // a linear loop uses it
+                EXPECT_LE(design->assessment.peaks.Ms_ratio, 1.001 * mostMs);
+                EXPECT_GT(design->assessment.peaks.Ms_ratio, 0.99 * mostMs)
+                    << damping; // a linear loop uses it
             }
         }
     }

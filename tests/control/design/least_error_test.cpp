@@ -139,9 +139,9 @@ TEST_P(LeastErrorWithinBounds, keepsTheBoundsAndSaysWhichOneCounts) {
     const LeastErrorTargets targets{asked.measure, asked.mostMs_ratio, asked.step_rad};
     const auto design = designLeastError(published(), {Period_s, asked.delay}, targets, Limit_A);
     ASSERT_TRUE(design.has_value()) << design.error().message;
-    EXPECT_LE(design->proof.peaks.Ms_ratio, 1.001 * asked.mostMs_ratio);
+    EXPECT_LE(design->assessment.peaks.Ms_ratio, 1.001 * asked.mostMs_ratio);
     EXPECT_LE(sensitivity(design->gains, asked.delay), 1.001 * asked.mostMs_ratio);
-    const LeastErrorBounds bounds = boundsOf(design->proof, targets, Limit_A);
+    const LeastErrorBounds bounds = boundsOf(design->assessment, targets, Limit_A);
     EXPECT_EQ(bounds.sensitivity.isActive(), asked.isMsActive) << bounds.sensitivity.value;
     ASSERT_EQ(bounds.current.has_value(), asked.step_rad.has_value());
     if (asked.step_rad) {

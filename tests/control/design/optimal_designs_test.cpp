@@ -75,31 +75,31 @@ TEST(Lyapunov, solvesItsEquation) {
 
 // help: htm-theory.md 8.4: crossover 45.7 rad/s, phase margin 37.9 deg, gain margin 4.2, pole radius 0.984
 // with and without a sample of delay, fast gain 180 A/rad.
-TEST(DesignProof, ofTheRecommendedGainsSaysWhatTheTheorySays) {
-    const auto proof = proveDesign(published(), gains(40.0, 60.0, 1.4), NoDelay, Limit_A);
-    ASSERT_TRUE(proof.has_value());
-    EXPECT_TRUE(proof->isStable);
+TEST(LoopAssessment, ofTheRecommendedGainsSaysWhatTheTheorySays) {
+    const auto assessment = assessDesign(published(), gains(40.0, 60.0, 1.4), NoDelay, Limit_A);
+    ASSERT_TRUE(assessment.has_value());
+    EXPECT_TRUE(assessment->isStable);
     // One unit of the last digit shown.
-    EXPECT_NEAR(proof->margins.gainCrossover_rad_s.value(), 45.7, 0.1);
-    EXPECT_NEAR(proof->margins.phaseMargin_deg, 37.9, 0.1);
-    EXPECT_NEAR(proof->margins.gainMargin_ratio, 4.2, 0.1);
-    EXPECT_NEAR(proof->poleRadius, 0.984, 0.001);
-    EXPECT_NEAR(proof->poleRadiusOneSampleLater, 0.984, 0.001);
-    EXPECT_NEAR(proof->fastGain_A_per_rad, 180.0, 1e-9);
-    EXPECT_NEAR(proof->peaks.Ms_ratio * proof->margins.modulusMargin, 1.0, 1e-12);
-    EXPECT_NEAR(proof->largestStep_rad * proof->peakCurrent_A, Limit_A, 1e-12);
-    EXPECT_NEAR(proof->peakCurrent_A, 40.0, 1e-9); // K_P at the first sample
+    EXPECT_NEAR(assessment->margins.gainCrossover_rad_s.value(), 45.7, 0.1);
+    EXPECT_NEAR(assessment->margins.phaseMargin_deg, 37.9, 0.1);
+    EXPECT_NEAR(assessment->margins.gainMargin_ratio, 4.2, 0.1);
+    EXPECT_NEAR(assessment->poleRadius, 0.984, 0.001);
+    EXPECT_NEAR(assessment->poleRadiusOneSampleLater, 0.984, 0.001);
+    EXPECT_NEAR(assessment->fastGain_A_per_rad, 180.0, 1e-9);
+    EXPECT_NEAR(assessment->peaks.Ms_ratio * assessment->margins.modulusMargin, 1.0, 1e-12);
+    EXPECT_NEAR(assessment->largestStep_rad * assessment->peakCurrent_A, Limit_A, 1e-12);
+    EXPECT_NEAR(assessment->peakCurrent_A, 40.0, 1e-9); // K_P at the first sample
     EXPECT_NEAR(
-        proveDesign(published(), gains(10.0, 0.1, 0.0), NoDelay, Limit_A)->proportionalLimit_A_per_rad, 17.27,
-        0.01);
+        assessDesign(published(), gains(10.0, 0.1, 0.0), NoDelay, Limit_A)->proportionalLimit_A_per_rad,
+        17.27, 0.01);
 }
 
 // Second route: the loop run on white errors of the angle, 2e5 of them (0.5 % of counting).
-TEST(DesignProof, theNoiseGainIsThatOfASimulation) {
+TEST(LoopAssessment, theNoiseGainIsThatOfASimulation) {
     const PidGains pid = gains(40.0, 60.0, 1.4);
     for (const int delay : {0, 1}) {
         const LoopTiming timing{0.01, delay};
-        const auto proof = proveDesign(published(), pid, timing, Limit_A);
+        const auto assessment = assessDesign(published(), pid, timing, Limit_A);
         const TransferFunction plant = sampledPlant(published(), 0.01);
         const StateSpace motor = toStateSpace(plant);
         Random random(63);
@@ -120,16 +120,16 @@ TEST(DesignProof, theNoiseGainIsThatOfASimulation) {
             x = (motor.A * x + motor.B * given).eval();
         }
         // Twice the counting error; to ten digits in PositionRoutes.
-        EXPECT_NEAR(proof->noiseGain_A_per_rad / std::sqrt(squares / Samples), 1.0, 0.01) << delay;
+        EXPECT_NEAR(assessment->noiseGain_A_per_rad / std::sqrt(squares / Samples), 1.0, 0.01) << delay;
     }
 }
 
-TEST(DesignProof, ofAnUnstableLoopIsGivenAllTheSame) {
-    const auto proof = proveDesign(published(), gains(18.0, 0.1, 0.0), NoDelay, Limit_A);
-    ASSERT_TRUE(proof.has_value());
-    EXPECT_FALSE(proof->isStable);
-    EXPECT_TRUE(std::isinf(proof->noiseGain_A_per_rad));
-    EXPECT_EQ(proveDesign(published(), gains(1.0, 0.0, 0.0), NoDelay, 0.0).error().code,
+TEST(LoopAssessment, ofAnUnstableLoopIsGivenAllTheSame) {
+    const auto assessment = assessDesign(published(), gains(18.0, 0.1, 0.0), NoDelay, Limit_A);
+    ASSERT_TRUE(assessment.has_value());
+    EXPECT_FALSE(assessment->isStable);
+    EXPECT_TRUE(std::isinf(assessment->noiseGain_A_per_rad));
+    EXPECT_EQ(assessDesign(published(), gains(1.0, 0.0, 0.0), NoDelay, 0.0).error().code,
               ErrorCode::OutOfRange);
 }
 
@@ -137,17 +137,18 @@ TEST(Regulator, isStableInTheBoardsLoopAndSpendsWhatItMay) {
     RegulatorTargets targets{0.02, 0.02, 1.0};
     const auto design = designRegulator(published(), NoDelay, targets, Limit_A);
     ASSERT_TRUE(design.has_value());
-    EXPECT_TRUE(design->proof.isStable);
+    EXPECT_TRUE(design->assessment.isStable);
     EXPECT_GT(design->gains.proportional, 0.0);
     EXPECT_GT(design->gains.integral, 0.0);
     EXPECT_GT(design->gains.derivative, 0.0);
-    EXPECT_GT(design->proof.margins.phaseMargin_deg,
+    EXPECT_GT(design->assessment.margins.phaseMargin_deg,
               40.0); // 60 deg of the continuous regulator less the sampling
     EXPECT_EQ(nyquist(*sampledOpenLoop(published(), design->gains, NoDelay))->unstableClosedLoopPoles, 0);
     // Asking for less angle per current makes it faster.
     targets.angle_rad = 0.01;
     const auto faster = designRegulator(published(), NoDelay, targets, Limit_A);
-    EXPECT_GT(*faster->proof.margins.gainCrossover_rad_s, *design->proof.margins.gainCrossover_rad_s);
+    EXPECT_GT(*faster->assessment.margins.gainCrossover_rad_s,
+              *design->assessment.margins.gainCrossover_rad_s);
     targets.integral_rad_s.reset();
     EXPECT_EQ(designRegulator(published(), NoDelay, targets, Limit_A)->gains.integral, 0.0);
 }
@@ -184,8 +185,8 @@ TEST(LeastError, meetsMsAndBeatsItsNeighbours) {
         const LeastErrorTargets targets{ErrorMeasure::Iae, Ms, {}};
         const auto design = designLeastError(published(), NoDelay, targets, Limit_A);
         ASSERT_TRUE(design.has_value());
-        EXPECT_LE(design->proof.peaks.Ms_ratio, 1.005 * Ms);
-        EXPECT_TRUE(design->proof.isStable);
+        EXPECT_LE(design->assessment.peaks.Ms_ratio, 1.005 * Ms);
+        EXPECT_TRUE(design->assessment.isStable);
         const double best = *loadError(published(), design->gains, NoDelay, ErrorMeasure::Iae, 10.0);
         // No gains in a grid of steps of 7 % around it are better by more than 2 % and within Ms.
         for (int i = 0; i < 27; ++i) {

@@ -5,7 +5,7 @@
 #include "control/design/crossover_design.h"
 #include "control/design/tuning_rules.h"
 #include "control/law/filters.h"
-#include "control/law/held_rotor.h"
+#include "control/law/sampled_axis.h"
 #include "control/lti/riccati.h"
 #include "tests/control/random_systems.h"
 #include "tests/control/routes/own_loop.h"

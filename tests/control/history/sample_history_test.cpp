@@ -254,5 +254,48 @@ TEST(SampleHistory, blocksWithoutRowsOrColumnsAreHarmless) {
     EXPECT_EQ(history.lostRows(), 4U);
 }
 
+/// A block changed by hand is the second route to the same history.
+TEST(SampleHistory, columnsBesideABlockGiveTheHistoryOfABlockThatIsChanged) {
+    const auto layout = layoutOf({"a", "b"}, 0.01);
+    const auto longer = layoutOf({"a", "b", "sum"}, 0.01);
+    SampleHistory beside(Large);
+    SampleHistory changed(Large);
+    for (std::size_t first = 0; first < 10'000; first += 250) {
+        const SampleBlock block = blockOf(layout, first, 250, ramp);
+        BlockColumns columns;
+        columns.shift_s = 7.5;
+        columns.layout = longer;
+        columns.added.emplace_back();
+        SampleBlock copy = block;
+        copy.layout = longer;
+        copy.values.clear();
+        for (std::size_t row = 0; row < block.rows(); ++row) {
+            const double hidden = row % 3 == 0 ? NaN : block.value(row, 1);
+            columns.replaced[1].push_back(hidden);
+            columns.added[0].push_back(block.value(row, 0) + hidden);
+            copy.time_s[row] += 7.5;
+            copy.values.insert(copy.values.end(), {block.value(row, 0), hidden, columns.added[0].back()});
+        }
+        beside.append(block, columns);
+        changed.append(copy);
+    }
+    ASSERT_EQ(beside.range(), changed.range());
+    EXPECT_EQ(beside.range()->begin_s, 7.5);
+    for (const char* name : {"a", "b", "sum"}) {
+        std::vector<TimedValue> one;
+        std::vector<TimedValue> other;
+        ASSERT_TRUE(beside.samples(name, *beside.range(), one));
+        ASSERT_TRUE(changed.samples(name, *beside.range(), other));
+        ASSERT_EQ(one.size(), 10'000U);
+        ASSERT_EQ(one.size(), other.size());
+        for (std::size_t row = 0; row < one.size(); ++row) {
+            ASSERT_EQ(one[row].time_s, other[row].time_s);
+            ASSERT_TRUE(one[row].value == other[row].value ||
+                        (std::isnan(one[row].value) && std::isnan(other[row].value)));
+        }
+        EXPECT_EQ(beside.extremes(name, *beside.range()).max, changed.extremes(name, *beside.range()).max);
+    }
+}
+
 } // namespace
 } // namespace halbench::control

@@ -18,7 +18,8 @@ SampleTrack trackOf(const std::vector<double>& values) {
     for (std::size_t row = 0; row < values.size(); ++row) {
         time_s.push_back(static_cast<double>(row) / 1000.0);
     }
-    track.add(time_s, values.data());
+    const ColumnSource column{values.data()};
+    track.add(time_s, {&column, 1});
     return track;
 }
 
@@ -76,9 +77,10 @@ TEST(SampleTrack, dropsOldChunksAndStillKnowsTheRest) {
 TEST(SampleTrack, keepsItsMemoryWhileRowsComeAndGo) {
     SampleTrack track(1);
     const double value = 1.0;
+    const ColumnSource column{&value};
     for (std::uint64_t row = 0; row < 200'000; ++row) {
         const double time_s = static_cast<double>(row);
-        track.add(std::span(&time_s, 1), &value);
+        track.add(std::span(&time_s, 1), {&column, 1});
         if (track.chunks() > 3) {
             track.dropOldestChunk();
         }
@@ -122,7 +124,8 @@ TEST(SampleTrack, blocksOfAnySizeGiveTheSamePyramid) {
         for (std::size_t i = row; i < row + rows; ++i) {
             time_s.push_back(static_cast<double>(i) / 1000.0);
         }
-        pieces.add(time_s, values.data() + row);
+        const ColumnSource column{values.data()};
+        pieces.add(time_s, {&column, 1}, row);
         row += rows;
     }
     for (std::uint64_t begin = 0; begin < 30'000; begin += 257) {
@@ -146,12 +149,13 @@ TEST(SampleTrack, valuesThatAreNotNumbersHaveNoExtremes) {
 TEST(SampleTrack, knowsWhereTheLineIsInterrupted) {
     SampleTrack track(1);
     const double value = 0.0;
+    const ColumnSource column{&value};
     for (std::uint64_t row = 0; row < 100; ++row) {
         const double time_s = static_cast<double>(row);
         if (row == 40) {
             track.interrupt();
         }
-        track.add(std::span(&time_s, 1), &value);
+        track.add(std::span(&time_s, 1), {&column, 1});
     }
     EXPECT_TRUE(track.hasGap(40, 41));
     EXPECT_TRUE(track.hasGap(0, 100));

@@ -12,18 +12,18 @@ namespace halbench::control {
 namespace {
 
 constexpr double Period_s = 0.01;
-const HeldRotor Published{1.23e-3 / 5.5e-4, 1.43e-2 / 5.5e-4, 0.3e-3, 0.0};
+const SampledPlantModel Published{1.23e-3 / 5.5e-4, 1.43e-2 / 5.5e-4, 0.3e-3, 0.0};
 
 std::vector<double> frequencies() {
     return logarithmicFrequencies(2.0 * Pi * 0.5, 2.0 * Pi * 30.0, 40);
 }
 
 /// Points with a circular normal error of this relative size; the radius says so for eight periods.
-std::vector<PlantPoint> noisy(const HeldRotor& rotor, double error_ratio, std::uint64_t seed) {
+std::vector<PlantPoint> noisy(const SampledPlantModel& rotor, double error_ratio, std::uint64_t seed) {
     Random random(seed);
     std::vector<PlantPoint> points;
     for (const double w : frequencies()) {
-        const std::complex<double> G = heldRotorResponse(rotor, Period_s, w);
+        const std::complex<double> G = sampledPlantResponse(rotor, Period_s, w);
         const double sigma = error_ratio * std::abs(G);
         const std::complex<double> error(random.gaussian(), random.gaussian());
         points.push_back({w, G + sigma * std::sqrt(0.5) * error,
@@ -36,25 +36,26 @@ std::vector<PlantPoint> noisy(const HeldRotor& rotor, double error_ratio, std::u
 // over 401 images leaves 1e-6.
 TEST(FrequencyFit, responseIsThatOfTheHeldStateSpace) {
     const double lag_s = 0.4e-3;
-    const HeldRotor rotor{2.2, 26.0, lag_s, 3e-4};
+    const SampledPlantModel rotor{2.2, 26.0, lag_s, 3e-4};
     const auto continuous =
         TransferFunction::make({26.0}, {lag_s, 1.0 + 2.2 * lag_s, 2.2, 0.0}, TimeBase::continuous());
     const auto held = discretize(*continuous, Period_s, Hold::Zoh{});
     ASSERT_TRUE(held);
     for (const double w : frequencies()) {
         const std::complex<double> expected = held->atFrequency(w) + 3e-4;
-        EXPECT_LT(std::abs(heldRotorResponse(rotor, Period_s, w) - expected), 1e-6 * std::abs(expected)) << w;
+        EXPECT_LT(std::abs(sampledPlantResponse(rotor, Period_s, w) - expected), 1e-6 * std::abs(expected))
+            << w;
     }
 }
 
 TEST(FrequencyFit, exactPointsGiveTheRotorBack) {
-    HeldRotor rotor = Published;
+    SampledPlantModel rotor = Published;
     rotor.feedthrough_rad_per_A = 5e-4;
     std::vector<PlantPoint> points = noisy(rotor, 0.0, 1);
     for (PlantPoint& point : points) {
         point.radius = 1e-3 * std::abs(point.value);
     }
-    const auto fit = fitHeldRotor(points, Period_s, 0.3e-3, 0.005);
+    const auto fit = fitSampledPlant(points, Period_s, 0.3e-3, 0.005);
     ASSERT_TRUE(fit) << fit.error().message;
     EXPECT_NEAR(*fit->dampingRate.value, rotor.dampingRate_1_s, 1e-7); // where the iteration stops
     EXPECT_NEAR(*fit->accelerationGain.value, rotor.accelerationGain_rad_s2_A, 1e-7);
@@ -75,8 +76,8 @@ TEST(FrequencyFit, intervalsHoldTheTruthAsOftenAsTheySay) {
         return estimate.interval95->first <= value && value <= estimate.interval95->second ? 1 : 0;
     };
     for (int run = 0; run < Runs; ++run) {
-        const auto fit =
-            fitHeldRotor(noisy(Published, 0.05, static_cast<std::uint64_t>(run) + 1), Period_s, 0.3e-3, 0.0);
+        const auto fit = fitSampledPlant(noisy(Published, 0.05, static_cast<std::uint64_t>(run) + 1),
+                                         Period_s, 0.3e-3, 0.0);
         ASSERT_TRUE(fit) << run;
         damping += holds(fit->dampingRate, Published.dampingRate_1_s);
         gain += holds(fit->accelerationGain, Published.accelerationGain_rad_s2_A);
@@ -91,9 +92,9 @@ TEST(FrequencyFit, intervalsHoldTheTruthAsOftenAsTheySay) {
 TEST(FrequencyFit, refusesTooFewPointsAndWhatIsNoRotor) {
     std::vector<PlantPoint> points = noisy(Published, 0.01, 1);
     points.resize(4);
-    EXPECT_EQ(fitHeldRotor(points, Period_s, 0.0, 0.0).error().code, ErrorCode::Refused);
+    EXPECT_EQ(fitSampledPlant(points, Period_s, 0.0, 0.0).error().code, ErrorCode::Refused);
     points = noisy(Published, 0.0, 1); // a radius of zero says nothing of the weights
-    EXPECT_EQ(fitHeldRotor(points, Period_s, 0.0, 0.0).error().code, ErrorCode::Refused);
+    EXPECT_EQ(fitSampledPlant(points, Period_s, 0.0, 0.0).error().code, ErrorCode::Refused);
 }
 
 } // namespace

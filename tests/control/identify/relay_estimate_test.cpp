@@ -14,7 +14,7 @@ namespace {
 constexpr double Period_s = 0.01;
 constexpr double Damping_1_s = 1.23e-3 / 5.5e-4; // resources/help/htm-theory.md 2
 constexpr double Gain_rad_s2_A = 1.43e-2 / 5.5e-4;
-constexpr HeldRotor Published{Damping_1_s, Gain_rad_s2_A, 0.0, 0.0};
+constexpr SampledPlantModel Published{Damping_1_s, Gain_rad_s2_A, 0.0, 0.0};
 
 struct Rows {
     std::vector<double> reference, input, output;
@@ -83,7 +83,7 @@ TEST(UltimateGain, isTheSampledLimitOfThePublishedMotor) {
 }
 
 TEST(UltimateGain, ofAMotorThatDoesNotDampIsRefused) {
-    HeldRotor rotor = Published;
+    SampledPlantModel rotor = Published;
     rotor.dampingRate_1_s = 0.0;
     EXPECT_EQ(ultimateGain(rotor, Period_s, 0).error().code, ErrorCode::Refused);
 }
@@ -132,11 +132,11 @@ TEST(LimitCycle, holdsTheTrueGainUnderNoise) {
 // The plant of a rotor that drives itself, whatever the circle of confidence holds.
 TEST(LimitCycle, refusesADampingBelowZero) {
     for (const double damping_1_s : {-0.5, -2.2, -5.0}) {
-        HeldRotor rotor = Published;
+        SampledPlantModel rotor = Published;
         LimitCyclePoint cycle;
         cycle.frequency_rad_s = 20.0;
         rotor.dampingRate_1_s = damping_1_s;
-        cycle.plant = heldRotorResponse(rotor, Period_s, cycle.frequency_rad_s);
+        cycle.plant = sampledPlantResponse(rotor, Period_s, cycle.frequency_rad_s);
         cycle.radius = 0.3 * std::abs(cycle.plant); // wide enough to hold rotors that damp
         CycleLoop loop = loopOf(0);
         loop.mostPhase_deg = 60.0;

@@ -2,10 +2,10 @@
 #include "control/base/random.h"
 #include "control/base/units.h"
 #include "control/law/board_law_run.h"
-#include "control/law/shaped_controller.h"
-#include "control/law/shaped_delta.h"
+#include "control/law/filtered_controller.h"
+#include "control/law/filtered_delta.h"
+#include "tests/control/filtered_example.h"
 #include "tests/control/published_motor.h"
-#include "tests/control/shaped_example.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double Period_s = 0.01;
 
-BoardLawRun<double> running(const ShapedLaw& law, const PositionLaw& extras, double limit_A) {
+BoardLawRun<double> running(const FilteredLaw& law, const PositionLaw& extras, double limit_A) {
     const auto board = boardLaw(law, extras, {Period_s, 0}, limit_A);
     EXPECT_TRUE(board);
     return BoardLawRun<double>(*board);
@@ -26,8 +26,8 @@ BoardLawRun<double> running(const ShapedLaw& law, const PositionLaw& extras, dou
 
 // While nothing limits it and nothing is fed forward it is the controller that the loop is judged with.
 TEST(BoardLaw, withinItsLimitIsTheJudgedController) {
-    auto law = running(shaped(), {}, 1e6);
-    auto controller = ShapedController::make(shaped(), Period_s);
+    auto law = running(filtered(), {}, 1e6);
+    auto controller = FilteredController::make(filtered(), Period_s);
     ASSERT_TRUE(controller);
     Random random(3);
     for (int i = 0; i < 500; ++i) {
@@ -41,7 +41,7 @@ TEST(BoardLaw, withinItsLimitIsTheJudgedController) {
 // turns, where one that had gone on would hold it for as long again.
 TEST(BoardLaw, theIntegralWaitsAtTheLimit) {
     constexpr double Limit_A = 2.0;
-    ShapedLaw plain;
+    FilteredLaw plain;
     plain.gains.proportional = 1.0;
     plain.gains.integral = 50.0;
     plain.filters = {LowPassFilter{200.0, 1}};
@@ -66,8 +66,8 @@ TEST(BoardLaw, addsWhatIsFedForwardAfterTheFilters) {
     extras.stictionCurrent_A = 0.7;
     extras.stictionThreshold_rad = 0.01;
     const auto at = [&](const LawReference<double>& reference, double angle_rad) {
-        return running(shaped(), extras, 1e6).step(reference, angle_rad) -
-               running(shaped(), {}, 1e6).step(reference, angle_rad);
+        return running(filtered(), extras, 1e6).step(reference, angle_rad) -
+               running(filtered(), {}, 1e6).step(reference, angle_rad);
     };
     EXPECT_NEAR(at({0.0, 2.0, 3.0}, 0.0), 0.1 * 3.0 + 0.2 * 2.0 + 0.3, 1e-12);
     EXPECT_NEAR(at({0.0, -0.25, 0.0}, 0.0), -0.2 * 0.25 - 0.3 * 0.5, 1e-12);
@@ -75,14 +75,14 @@ TEST(BoardLaw, addsWhatIsFedForwardAfterTheFilters) {
     EXPECT_NEAR(at({0.0, 0.0, 0.0}, 0.005), 0.0, 1e-12);
 }
 
-// The balance of a shaped loop against the loop itself, sample by sample with friction: a low-pass turns the
-// phase of a loop that came to rest, and it swings.
+// The balance of a filtered loop against the loop itself, sample by sample with friction: a low-pass turns
+// the phase of a loop that came to rest, and it swings.
 TEST(BoardLaw, swingsAsTheHarmonicBalancePredicts) {
     constexpr double Limit_A = 4.0;
     const LoopTiming timing{Period_s, 0};
     PositionPlant plant = published();
     plant.breakawayCurrent_A *= 0.1;
-    ShapedLaw law;
+    FilteredLaw law;
     law.gains.proportional = 14.0;
     law.gains.integral = 0.1;
     EXPECT_TRUE(frictionCycles(plant, law.gains, timing, Limit_A)->empty());
@@ -123,7 +123,7 @@ TEST(BoardLaw, swingsAsTheHarmonicBalancePredicts) {
 // Second routes: the controller of the loop as roots in z - 1, and the law itself, run on a sine of the angle
 // until it has settled.
 TEST(BoardLaw, hasTheFrequencyResponseOfItsRun) {
-    ShapedLaw law = shaped();
+    FilteredLaw law = filtered();
     law.gains.integral = 0.0; // an integral of a sine never settles
     law.proportionalWeight = 1.0;
     const auto board = boardLaw(law, {}, {Period_s, 0}, 1e9);
@@ -147,22 +147,22 @@ TEST(BoardLaw, hasTheFrequencyResponseOfItsRun) {
 }
 
 TEST(BoardLaw, isTheLawThatItWasMadeOf) {
-    const auto board = boardLaw(shaped(), {}, {Period_s, 1}, 4.0);
+    const auto board = boardLaw(filtered(), {}, {Period_s, 1}, 4.0);
     ASSERT_TRUE(board);
-    const ShapedLaw again = shapedLaw(*board);
-    EXPECT_EQ(again.filters, shaped().filters);
-    EXPECT_EQ(again.proportionalWeight, shaped().proportionalWeight);
-    EXPECT_EQ(again.derivativeWeight, shaped().derivativeWeight);
-    EXPECT_EQ(again.gains.filter_s, shaped().gains.filter_s);
+    const FilteredLaw again = filteredLaw(*board);
+    EXPECT_EQ(again.filters, filtered().filters);
+    EXPECT_EQ(again.proportionalWeight, filtered().proportionalWeight);
+    EXPECT_EQ(again.derivativeWeight, filtered().derivativeWeight);
+    EXPECT_EQ(again.gains.filter_s, filtered().gains.filter_s);
     // Notch and low-pass pass a constant as it is.
-    EXPECT_NEAR(proportionalAtRest_A_per_rad(*board), shaped().gains.proportional, 1e-9);
+    EXPECT_NEAR(proportionalAtRest_A_per_rad(*board), filtered().gains.proportional, 1e-9);
 }
 
 TEST(BoardLaw, whatIsNoLawIsRefused) {
-    ShapedLaw law = shaped();
+    FilteredLaw law = filtered();
     law.derivativeWeight = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(boardLaw(law, {}, {Period_s, 0}, 1.0).error().code, ErrorCode::NotFinite);
-    EXPECT_EQ(boardLaw(shaped(), {}, {Period_s, 0}, 0.0).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(boardLaw(filtered(), {}, {Period_s, 0}, 0.0).error().code, ErrorCode::OutOfRange);
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "control/base/random.h"
+#include "control/law/filtered_delta.h"
 #include "control/law/named_filter.h"
-#include "control/law/shaped_delta.h"
 
 #include <gtest/gtest.h>
 

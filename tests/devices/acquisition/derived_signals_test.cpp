@@ -32,51 +32,85 @@ SampleBlock block(const std::shared_ptr<const StreamLayout>& layout, std::vector
     return made;
 }
 
+/// What a history is given for a block.
+struct Written {
+    std::shared_ptr<const StreamLayout> layout;
+    std::vector<double> values; ///< row by row
+
+    double value(std::size_t row, std::size_t column) const {
+        return values[row * layout->columns.size() + column];
+    }
+};
+
+Written with(DerivedSignals& signals, const SampleBlock& rows, BlockColumns columns = {}) {
+    signals.addTo(columns, rows);
+    Written written{columns.layout ? columns.layout : rows.layout, {}};
+    for (std::size_t row = 0; row < rows.rows(); ++row) {
+        for (const ColumnSource& source : columns.sources(rows)) {
+            written.values.push_back(source.values[row * source.stride]);
+        }
+    }
+    return written;
+}
+
 TEST(DerivedSignalsTest, addAColumnOfWhatTheExpressionSays) {
     DerivedSignals signals;
     signals.set({{"power", "current.a^2 + current.b^2", "A^2"}}, motor());
-    const SampleBlock with =
-        signals.with(block(layoutOf({"current.a", "speed", "current.b"}), {3.0, 7.0, 4.0, 1.0, 7.0, 0.5}));
-    ASSERT_EQ(with.layout->columns.size(), 4U);
-    EXPECT_EQ(with.layout->columns[3].name, "power");
-    EXPECT_EQ(with.layout->columns[3].unit, "A^2");
-    EXPECT_EQ(with.values, (std::vector<double>{3.0, 7.0, 4.0, 25.0, 1.0, 7.0, 0.5, 1.25}));
+    const Written written =
+        with(signals, block(layoutOf({"current.a", "speed", "current.b"}), {3.0, 7.0, 4.0, 1.0, 7.0, 0.5}));
+    ASSERT_EQ(written.layout->columns.size(), 4U);
+    EXPECT_EQ(written.layout->columns[3].name, "power");
+    EXPECT_EQ(written.layout->columns[3].unit, "A^2");
+    EXPECT_EQ(written.values, (std::vector<double>{3.0, 7.0, 4.0, 25.0, 1.0, 7.0, 0.5, 1.25}));
 }
 
 TEST(DerivedSignalsTest, blocksOfOneStreamKeepOneLayout) {
     DerivedSignals signals;
     signals.set({{"double", "2*speed", ""}}, motor());
     const auto layout = layoutOf({"speed"});
-    const auto first = signals.with(block(layout, {1.0})).layout;
-    EXPECT_EQ(signals.with(block(layout, {2.0})).layout, first);
+    const auto first = with(signals, block(layout, {1.0})).layout;
+    EXPECT_EQ(with(signals, block(layout, {2.0})).layout, first);
     // Another stream with other columns; then the first again.
-    EXPECT_EQ(signals.with(block(layoutOf({"current.a", "speed"}), {1.0, 5.0})).values.back(), 10.0);
-    EXPECT_EQ(signals.with(block(layout, {3.0})).values.back(), 6.0);
+    EXPECT_EQ(with(signals, block(layoutOf({"current.a", "speed"}), {1.0, 5.0})).values.back(), 10.0);
+    EXPECT_EQ(with(signals, block(layout, {3.0})).values.back(), 6.0);
 }
 
 TEST(DerivedSignalsTest, aBlockWithoutItsSourcesStaysAsItIs) {
     DerivedSignals signals;
     signals.set({{"double", "2*speed", ""}}, motor());
     const auto layout = layoutOf({"current.a"});
-    EXPECT_EQ(signals.with(block(layout, {1.0})).layout, layout);
+    EXPECT_EQ(with(signals, block(layout, {1.0})).layout, layout);
 }
 
 TEST(DerivedSignalsTest, whatIsNoNumberIsABreak) {
     DerivedSignals signals;
     signals.set({{"root", "sqrt(speed)", "1"}, {"inverse", "1/speed", ""}}, motor());
-    const SampleBlock with = signals.with(block(layoutOf({"speed"}), {4.0, -1.0, 0.0, NaN}));
-    EXPECT_EQ(with.value(0, 1), 2.0);
-    EXPECT_EQ(with.value(0, 2), 0.25);
-    EXPECT_TRUE(std::isnan(with.value(1, 1)));
-    EXPECT_TRUE(std::isnan(with.value(2, 2)));
-    EXPECT_TRUE(std::isnan(with.value(3, 1)));
+    const Written written = with(signals, block(layoutOf({"speed"}), {4.0, -1.0, 0.0, NaN}));
+    EXPECT_EQ(written.value(0, 1), 2.0);
+    EXPECT_EQ(written.value(0, 2), 0.25);
+    EXPECT_TRUE(std::isnan(written.value(1, 1)));
+    EXPECT_TRUE(std::isnan(written.value(2, 2)));
+    EXPECT_TRUE(std::isnan(written.value(3, 1)));
+}
+
+TEST(DerivedSignalsTest, areComputedOfWhatIsShownAndNotOfWhatIsHidden) {
+    DerivedSignals signals;
+    signals.set({{"error", "reference - position", "rad"}}, {{"reference", "rad"}, {"position", "rad"}});
+    const SampleBlock rows = block(layoutOf({"reference", "position"}), {0.0, 1.0, 3.0, 1.5});
+    BlockColumns columns;
+    columns.replaced[0] = {NaN, 3.0};
+    const Written written = with(signals, rows, columns);
+    EXPECT_TRUE(std::isnan(written.value(0, 0)));
+    EXPECT_TRUE(std::isnan(written.value(0, 2)));
+    EXPECT_EQ(written.value(1, 2), 1.5);
+    EXPECT_EQ(rows.value(0, 0), 0.0);
 }
 
 TEST(DerivedSignalsTest, functionsAndPiAreThere) {
     DerivedSignals signals;
     signals.set({{"angle", "atan2(current.b, current.a) * 180 / pi", ""}}, motor());
-    const SampleBlock with = signals.with(block(layoutOf({"current.a", "current.b"}), {0.0, 2.0}));
-    EXPECT_NEAR(with.values.back(), 90.0, 1e-12);
+    const Written written = with(signals, block(layoutOf({"current.a", "current.b"}), {0.0, 2.0}));
+    EXPECT_NEAR(written.values.back(), 90.0, 1e-12);
 }
 
 TEST(DerivedSignalsTest, sayWhatTheyNeed) {
@@ -95,27 +129,26 @@ TEST(DerivedSignalsTest, whatIsWrongIsRefusedWithItsPlace) {
         const auto checked = deriveSignal({name, expression, "1"}, motor());
         return checked ? std::string() : checked.error().message;
     };
-    EXPECT_EQ(said("x", "speed + * 2"), "column 9 of the expression: '*' is not expected here");
-    EXPECT_EQ(said("x", "2*(speed"), "column 9 of the expression: a ) is missing");
-    EXPECT_EQ(said("x", "2*"), "column 3 of the expression: it ends too early");
-    EXPECT_EQ(said("x", "2*torque"), "column 3 of the expression: there is no signal 'torque'");
-    EXPECT_EQ(said("x", "current.a + current"), "column 13 of the expression: there is no signal 'current'");
-    EXPECT_NE(said("x", "2*3").find("names no signal"), std::string::npos);
+    EXPECT_EQ(said("x", "speed + * 2"), "column 9 of the expression: unexpected '*'");
+    EXPECT_EQ(said("x", "2*(speed"), "column 9 of the expression: missing )");
+    EXPECT_EQ(said("x", "2*"), "column 3 of the expression: unexpected end");
+    EXPECT_EQ(said("x", "2*torque"), "column 3 of the expression: unknown signal 'torque'");
+    EXPECT_EQ(said("x", "current.a + current"), "column 13 of the expression: unknown signal 'current'");
+    EXPECT_NE(said("x", "2*3").find("contains no signal"), std::string::npos);
     EXPECT_NE(said("speed", "current.a").find("taken"), std::string::npos);
-    EXPECT_NE(said("2x", "speed").find("no name"), std::string::npos);
-    EXPECT_NE(said("a b", "speed").find("no name"), std::string::npos);
+    EXPECT_NE(said("2x", "speed").find("not a valid signal name"), std::string::npos);
+    EXPECT_NE(said("a b", "speed").find("not a valid signal name"), std::string::npos);
     EXPECT_FALSE(said("x", "").empty());
     EXPECT_FALSE(said("x", "sin()").empty());
     EXPECT_FALSE(said("x", "atan2(speed)").empty());
     EXPECT_FALSE(said("x", "speed current.a").empty());
-    EXPECT_EQ(said("x", "speed = 3"), "column 7 of the expression: = sets nothing");
+    EXPECT_EQ(said("x", "speed = 3"), "column 7 of the expression: = is not an operator");
     EXPECT_NE(said("x", "speed, current.a").find("several"), std::string::npos);
     EXPECT_TRUE(said("x", "(speed >= 3) == (current.a != 1)").empty());
-    EXPECT_EQ(said("x", "2*\u00b5 + speed"),
-              "column 3 of the expression: '\u00b5 + speed' is not expected here");
-    EXPECT_EQ(said("x", "speed > 1 ? 2"), "column 11 of the expression: a : is missing");
+    EXPECT_EQ(said("x", "2*\u00b5 + speed"), "column 3 of the expression: unexpected 'µ + speed'");
+    EXPECT_EQ(said("x", "speed > 1 ? 2"), "column 11 of the expression: missing :");
     EXPECT_EQ(said("x", (std::string(1000, ' ') + "speed").c_str()),
-              "the expression has more than 1000 letters");
+              "the expression has more than 1000 characters");
 }
 
 TEST(DerivedSignalsTest, columnsOfARecordingStayDifferent) {
@@ -138,7 +171,7 @@ TEST(DerivedSignalsTest, theUnitFollowsOrIsAskedFor) {
     EXPECT_EQ(unit("sqrt(current.a^2 + current.b^2)"), "A");
     EXPECT_EQ(unit("current.a^2 + current.b^2"), "A^2");
     EXPECT_EQ(unit("current.a/current.b"), "1");
-    EXPECT_EQ(unit("speed + current.a"), "no unit follows from the expression");
+    EXPECT_EQ(unit("speed + current.a"), "the unit of the expression cannot be determined");
 }
 
 TEST(DerivedSignalsTest, oneIsWrittenOnALine) {
@@ -169,7 +202,7 @@ TEST(DerivedSignalsTest, aRecordingGetsColumnsAndLaterOnesUseEarlierOnes) {
     EXPECT_EQ(longer->column("current.b"), (std::vector<double>{4.0, 1.0}));
     const auto wrong = withDerived(recording, {{"x", "hall.a", ""}});
     ASSERT_FALSE(wrong);
-    EXPECT_EQ(wrong.error().message, "x: column 1 of the expression: there is no signal 'hall.a'");
+    EXPECT_EQ(wrong.error().message, "x: column 1 of the expression: unknown signal 'hall.a'");
 }
 
 } // namespace

@@ -16,11 +16,11 @@ SampleBlockPtr blockAt(double time_s, std::size_t rows) {
 TEST(DisplayInbox, givesBlocksOnceAndInOrder) {
     DisplayInbox inbox(1000);
     inbox.push(blockAt(1.0, 10));
-    inbox.push(blockAt(2.0, 10));
+    inbox.push({blockAt(2.0, 10), 0.5});
     const auto blocks = inbox.take();
     ASSERT_EQ(blocks.size(), 2U);
-    EXPECT_EQ(blocks[0]->time_s[0], 1.0);
-    EXPECT_EQ(blocks[1]->time_s[0], 2.0);
+    EXPECT_EQ(blocks[0].begin_s(), 1.0);
+    EXPECT_EQ(blocks[1].begin_s(), 2.5);
     EXPECT_TRUE(inbox.take().empty());
 }
 
@@ -44,8 +44,8 @@ TEST(DisplayInbox, losesNothingBetweenTwoThreads) {
     });
     double expected = 0.0;
     while (expected < 2000.0) {
-        for (const SampleBlockPtr& block : inbox.take()) {
-            ASSERT_EQ(block->time_s[0], expected);
+        for (const TimedBlock& block : inbox.take()) {
+            ASSERT_EQ(block.begin_s(), expected);
             expected += 1.0;
         }
     }

@@ -83,10 +83,10 @@ TEST(StreamRate, aRateAboveIsRefusedWithTheGreatestThatIsPossible) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::OutOfRange);
     EXPECT_EQ(refused.error().message,
-              "2 signals cannot come at 2000 Hz: board and link carry at most 1000 Hz");
+              "2 signals at 2000 Hz are not possible: maximum of device and link 1000 Hz");
     EXPECT_EQ(refused.error().hint.find("baud"), std::string::npos) << "no serial line";
     EXPECT_EQ(checkStreamRate(info, catalogue, {namesOf(catalogue)[0]}, 2000.0).error().message,
-              "one signal cannot come at 2000 Hz: board and link carry at most 1000 Hz");
+              "one signal at 2000 Hz is not possible: maximum of device and link 1000 Hz");
     const Result<void> serial =
         checkStreamRate(boardAt("serial", "serial:/dev/ttyACM0"), catalogue, namesOf(catalogue), 1000.0);
     ASSERT_FALSE(serial);

@@ -140,13 +140,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"t;a\n0,5;1\n1,5;2;3\n", "x.csv:3:1", "3 cells where there are 2"},
                     Damage{"t;a\n0,5;\"1\n", "x.csv:2:5", "quoted cell"},
                     Damage{"t;a\n1.234,56;2\n", "x.csv:2:1", "thousands separators"},
-                    Damage{"\xFF\xFEt\0", "x.csv", "UTF-16"}, Damage{"t;a\r0,5;1\r", "x.csv:1:1", "CR alone"},
+                    Damage{"\xFF\xFEt\0", "x.csv", "UTF-16"}, Damage{"t;a\r0,5;1\r", "x.csv:1:1", "CR only"},
                     Damage{"hello world\nthis is prose\n", "x.csv", "no"}));
 
 TEST(CsvDialect, aZeroOctetIsNoText) {
     const auto sight = detectDialect(std::string_view("t;a\n\0;1\n", 8), "x.csv", {});
     ASSERT_FALSE(sight);
-    EXPECT_NE(sight.error().message.find("no text"), std::string::npos);
+    EXPECT_NE(sight.error().message.find("not a text"), std::string::npos);
 }
 
 TEST(CsvDialect, aVeryLongLineIsRefused) {

@@ -201,18 +201,20 @@ TEST_P(CsvImportDamage, isRefusedWithLineAndColumn) {
     EXPECT_FALSE(read.error().hint.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Rows, CsvImportDamage,
-    testing::Values(Damage{"200,5\n", "202:1", "1 cells"}, Damage{"200,5;1;2\n", "202:9", "3 cells"},
-                    Damage{"200,5;x\n", "202:7", "'x' is not a number"},
-                    Damage{"200,5;1.5\n", "202:7", "'1.5' is not a number"},
-                    Damage{"200,5;1.234\n", "202:7", "thousands"},
-                    Damage{"200,5;1 234\n", "202:7", "thousands"},
-                    Damage{"200,5;1.234,5\n", "202:7", "thousands"}, Damage{"200,5;1e999\n", "202:7", "held"},
-                    Damage{"200,5;\"1\n", "202:7", "quoted"},
-                    Damage{"199,5;1\n", "202:1", "does not increase"}, Damage{";1\n", "202:1", "missing"},
-                    Damage{"nan;1\n", "202:1", "missing"},
-                    Damage{"# note\n\n200,5;x\n", "204:7", "not a number"}));
+INSTANTIATE_TEST_SUITE_P(Rows, CsvImportDamage,
+                         testing::Values(Damage{"200,5\n", "202:1", "1 cells"},
+                                         Damage{"200,5;1;2\n", "202:9", "3 cells"},
+                                         Damage{"200,5;x\n", "202:7", "'x' is not a number"},
+                                         Damage{"200,5;1.5\n", "202:7", "'1.5' is not a number"},
+                                         Damage{"200,5;1.234\n", "202:7", "thousands"},
+                                         Damage{"200,5;1 234\n", "202:7", "thousands"},
+                                         Damage{"200,5;1.234,5\n", "202:7", "thousands"},
+                                         Damage{"200,5;1e999\n", "202:7", "out of the number range"},
+                                         Damage{"200,5;\"1\n", "202:7", "quoted"},
+                                         Damage{"199,5;1\n", "202:1", "does not increase"},
+                                         Damage{";1\n", "202:1", "missing"},
+                                         Damage{"nan;1\n", "202:1", "missing"},
+                                         Damage{"# note\n\n200,5;x\n", "204:7", "not a number"}));
 
 TEST(CsvImport, aTableCutOffAnywhereIsReadOrRefusedButNeverMisread) {
     const std::string text = "t [s];a\n0,5;1,25\n1,5;2,5\n2,5;3,75\n";
@@ -236,7 +238,8 @@ TEST(CsvImport, aLongTableCanBeGivenUpWhileItIsRead) {
     ASSERT_TRUE(plan) << plan.error().message;
     int questions = 0;
     const auto read = importCsv(text, "x.csv", *plan, [&questions]() -> Result<void> {
-        return ++questions < 3 ? Result<void>() : failure(ErrorCode::Interrupted, "ended by the user", {});
+        return ++questions < 3 ? Result<void>()
+                               : failure(ErrorCode::Interrupted, "cancelled by the user", {});
     });
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code, ErrorCode::Interrupted);

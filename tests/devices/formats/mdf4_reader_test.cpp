@@ -103,39 +103,37 @@ TEST(Mdf4Reader, oneWrongOctetAnywhereIsReadOrRefusedAndNothingElse) {
 
 TEST(Mdf4Reader, otherFilesAreRefusedByNameOfWhatTheyAre) {
     const std::string whole = mdf4Octets(mdf4Sample());
-    EXPECT_EQ(refusal(""), "run.mf4: block ID at octet 0: this is no MDF file");
-    EXPECT_EQ(refusal(std::string(1000, 'x')), "run.mf4: block ID at octet 0: this is no MDF file");
+    EXPECT_EQ(refusal(""), "run.mf4: block ID at byte 0: not an MDF file");
+    EXPECT_EQ(refusal(std::string(1000, 'x')), "run.mf4: block ID at byte 0: not an MDF file");
     EXPECT_EQ(refusal("UnFinMF " + whole.substr(8)),
-              "run.mf4: block ID at octet 0: the file is not finalised");
-    EXPECT_EQ(refusal(with(whole, 28, std::uint16_t{330})), "run.mf4: block ID at octet 28: version 330");
+              "run.mf4: block ID at byte 0: the file is not finalised");
+    EXPECT_EQ(refusal(with(whole, 28, std::uint16_t{330})), "run.mf4: block ID at byte 28: version 330");
     EXPECT_EQ(refusal(std::string(whole).replace(16, 8, "Another ")),
-              "run.mf4: block ID at octet 16: another program wrote the file");
+              "run.mf4: block ID at byte 16: the file is from another program");
 }
 
 TEST(Mdf4Reader, damageIsNamedWithItsBlockAndOctet) {
     const std::string whole = mdf4Octets(mdf4Sample());
     const Places at(whole);
-    EXPECT_EQ(
-        refusal(with(whole, linkPlace(mdf4::HdOffset, 0), std::uint64_t{1} << 40)),
-        fmt::format("run.mf4: block ##DG at octet {}: it is not inside the file", std::uint64_t{1} << 40));
+    EXPECT_EQ(refusal(with(whole, linkPlace(mdf4::HdOffset, 0), std::uint64_t{1} << 40)),
+              fmt::format("run.mf4: block ##DG at byte {}: it is outside the file", std::uint64_t{1} << 40));
     EXPECT_EQ(refusal(with(whole, linkPlace(mdf4::HdOffset, 0), at.group)),
-              fmt::format("run.mf4: block ##DG at octet {}: another block is there", at.group));
-    EXPECT_EQ(
-        refusal(with(whole, at.data + 8, ~std::uint64_t{0})),
-        fmt::format("run.mf4: block ##DT at octet {}: its length {} cannot be", at.data, ~std::uint64_t{0}));
+              fmt::format("run.mf4: block ##DG at byte {}: unexpected block type", at.group));
+    EXPECT_EQ(refusal(with(whole, at.data + 8, ~std::uint64_t{0})),
+              fmt::format("run.mf4: block ##DT at byte {}: invalid length {}", at.data, ~std::uint64_t{0}));
     const std::size_t cycles = at.group + mdf4::Cg.size() - mdf4::Cg.data + mdf4::CycleCount;
     EXPECT_EQ(refusal(with(whole, cycles, std::uint64_t{1} << 61)), // rows x 40 octets wrap to 0 in 64 bits
-              fmt::format("run.mf4: block ##DT at octet {}: its length is not that of {} rows", at.data,
+              fmt::format("run.mf4: block ##DT at byte {}: its length does not match {} rows", at.data,
                           std::uint64_t{1} << 61));
     EXPECT_EQ(refusal(with(whole, at.data + mdf4::HeaderSize + 40, -1.0)),
-              fmt::format("run.mf4: block ##DT at octet {}: row 1: the time does not increase", at.data));
+              fmt::format("run.mf4: block ##DT at byte {}: row 1: the time does not increase", at.data));
 }
 
 TEST(Mdf4Reader, chainsThatEndInThemselvesAreRefused) {
     const std::string whole = mdf4Octets(mdf4Sample());
     const Places at(whole);
     EXPECT_NE(refusal(with(whole, linkPlace(at.channel, 0), at.channel)).find("##CN"), std::string::npos);
-    EXPECT_NE(refusal(with(whole, linkPlace(at.event, 0), at.event)).find("its neighbour"),
+    EXPECT_NE(refusal(with(whole, linkPlace(at.event, 0), at.event)).find("time channel or link"),
               std::string::npos);
 }
 
@@ -150,7 +148,7 @@ TEST(Mdf4Reader, aTextLinkedAgainAndAgainDoesNotFillTheMemory) {
         octets = with(octets, linkPlace(event, 3), text);
     }
     EXPECT_EQ(refusal(octets),
-              fmt::format("run.mf4: block ##TX at octet {}: it is linked more than once", text));
+              fmt::format("run.mf4: block ##TX at byte {}: it is linked more than once", text));
 }
 
 TEST(Mdf4Reader, readingCanBeAborted) {

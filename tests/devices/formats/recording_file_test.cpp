@@ -323,7 +323,7 @@ TEST_F(RecordingFileTest, aFileLargerThanMemoryIsRefusedUnread) {
     fs::resize_file(path("large.mf4"), std::uintmax_t{1} << 40U); // takes no room on the disk
     const auto file = readRecordingFile(path("large.mf4"));
     ASSERT_FALSE(file);
-    EXPECT_EQ(file.error().message, "'" + path("large.mf4") + "' has 1099511627776 octets");
+    EXPECT_EQ(file.error().message, "'" + path("large.mf4") + "' has 1099511627776 bytes");
     EXPECT_NE(file.error().hint.find("--from"), std::string::npos);
     fs::rename(path("large.mf4"), path("large.csv"));
     EXPECT_NE(readTableText(path("large.csv")).error().hint.find("first line"), std::string::npos);

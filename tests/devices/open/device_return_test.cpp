@@ -1,5 +1,5 @@
 #include "devices/open/device_return.h"
-#include "devices/open/gone_device.h"
+#include "devices/open/disconnected_device.h"
 
 #include <gtest/gtest.h>
 
@@ -114,7 +114,7 @@ TEST(DeviceReturn, refusesTheSameDeviceWithOtherFirmware) {
     ASSERT_TRUE(back.noteLost(0.0));
     const auto found = lookFrom(back, 0.0, 1.0);
     ASSERT_FALSE(found);
-    EXPECT_EQ(found.error().message, "HB-17 came back with other firmware: 1.1 instead of 1.0");
+    EXPECT_EQ(found.error().message, "HB-17 reconnected with other firmware: 1.1 instead of 1.0");
     EXPECT_NE(found.error().hint, "");
 }
 
@@ -144,9 +144,9 @@ TEST(DeviceReturn, aHundredUnplugsOfADeviceThatStaysAWhileAreNoReasonToGiveUp) {
     }
 }
 
-TEST(GoneDevice, answersEverythingWithTheLossAndIsNeverArmed) {
+TEST(DisconnectedDevice, answersEverythingWithTheLossAndIsNeverArmed) {
     const auto former = answering(board());
-    GoneDevice gone(*former, 12.5, {ErrorCode::DeviceLost, "unplugged", "plug it in"});
+    DisconnectedDevice gone(*former, 12.5, {ErrorCode::DeviceLost, "unplugged", "plug it in"});
     EXPECT_EQ(gone.info().id, "HB-17");
     EXPECT_FALSE(gone.state().isConnected);
     EXPECT_FALSE(gone.state().isArmed); // although it was

@@ -25,13 +25,13 @@ SampleBlockPtr block(const std::shared_ptr<const StreamLayout>& of, int first, i
     return made;
 }
 
-std::vector<double> numbers(const std::vector<SampleBlockPtr>& blocks) {
+std::vector<double> numbers(const std::vector<TimedBlock>& blocks, double shift_s = 0.0) {
     std::vector<double> rows;
-    for (const SampleBlockPtr& one : blocks) {
-        for (std::size_t row = 0; row < one->rows(); ++row) {
-            rows.push_back(one->value(row, 0));
-            EXPECT_EQ(one->value(row, 1), -one->value(row, 0));
-            EXPECT_EQ(one->time_s[row], 0.25 * one->value(row, 0));
+    for (const TimedBlock& one : blocks) {
+        for (std::size_t row = 0; row < one.rows(); ++row) {
+            rows.push_back(one.block->value(row, 0));
+            EXPECT_EQ(one.block->value(row, 1), -one.block->value(row, 0));
+            EXPECT_EQ(one.time_s(row), 0.25 * one.block->value(row, 0) + shift_s);
         }
     }
     return rows;
@@ -54,6 +54,17 @@ TEST(HeldRows, givesEveryRowFromATimeOnOnceWhereverBlocksEnd) {
         }
         EXPECT_TRUE(held.from(10.0).empty());
     }
+}
+
+TEST(HeldRows, aMomentIsOneOfTheAxisAndNotOfTheBlocks) {
+    const auto of = layout();
+    HeldRows held(100.0);
+    for (int first = 0; first < 40; first += 4) {
+        held.add({block(of, first, 4), 8.0});
+    }
+    EXPECT_EQ(held.oldest_s(), 8.0);
+    EXPECT_EQ(held.newest_s(), 8.0 + 39 * 0.25);
+    EXPECT_EQ(numbers(held.from(8.0 + 37 * 0.25), 8.0), (std::vector<double>{37, 38, 39}));
 }
 
 TEST(HeldRows, keepsItsLengthAndNotMuchMore) {
@@ -99,11 +110,11 @@ TEST(HeldRows, aGapInsideStaysAGapAndThereIsNoneBeforeTheFirstRow) {
     held.add(block(of, 10, 4, 2));
     const auto all = held.from(0.0);
     ASSERT_EQ(all.size(), 2U);
-    EXPECT_EQ(all[0]->lostRows, 0U);
-    EXPECT_EQ(all[1]->lostRows, 6U);
+    EXPECT_EQ(all[0].block->lostRows, 0U);
+    EXPECT_EQ(all[1].block->lostRows, 6U);
     const auto late = held.from(10 * 0.25);
     ASSERT_EQ(late.size(), 1U);
-    EXPECT_EQ(late[0]->lostRows, 0U);
+    EXPECT_EQ(late[0].block->lostRows, 0U);
     EXPECT_EQ(numbers(late), (std::vector<double>{10, 11, 12, 13}));
 }
 

@@ -1,6 +1,7 @@
 #include "control/base/random.h"
 #include "devices/recording/recording_csv.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <clocale>
@@ -84,6 +85,41 @@ TEST(RecordingCsv, takesByteOrderMarkAndWindowsLineEnds) {
     const auto recording = parseRecordingCsv("\xEF\xBB\xBFtime_s,a\r\n0,1\r\n", "x");
     ASSERT_TRUE(recording) << recording.error().message;
     EXPECT_EQ(recording->values, std::vector<double>{1.0});
+}
+
+/// A first column in another unit of time, and how many of it make 10 ms.
+struct TimeColumn {
+    const char* name;
+    double step;
+};
+
+class RecordingCsvTime : public testing::TestWithParam<TimeColumn> {};
+
+TEST_P(RecordingCsvTime, isReadInSeconds) {
+    const double step = GetParam().step;
+    const std::string text =
+        fmt::format("{},position_rad\n0,1\n{},2\n{},3\n{},4\n", GetParam().name, step, 2 * step, 3 * step);
+    const auto recording = parseRecordingCsv(text, "x.csv");
+    ASSERT_TRUE(recording) << recording.error().message;
+    ASSERT_EQ(recording->rows(), 4U);
+    EXPECT_NEAR(recording->time_s[3], 0.03, 1e-15); // a few roundings of a double
+    EXPECT_NEAR(recording->layout->period_s, 0.01, 1e-15);
+    EXPECT_EQ(recording->lostRows, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, RecordingCsvTime,
+                         testing::Values(TimeColumn{"time_s", 0.01}, TimeColumn{"time_ms", 10.0},
+                                         TimeColumn{"time_us", 1e4}, TimeColumn{"time_ns", 1e7},
+                                         TimeColumn{"time_min", 0.01 / 60}, TimeColumn{"time [ms]", 10.0},
+                                         TimeColumn{"time(us)", 1e4}, TimeColumn{"time_\xC2\xB5s", 1e4}));
+
+TEST(RecordingCsv, aTimeInNoUnitOfTimeIsRefused) {
+    for (const char* name : {"time_Hz", "time_S", "time_samples", "time", "time_", "time []", "time_ms_2",
+                             "timems", "time_rad", "t_ms"}) {
+        const auto recording = parseRecordingCsv(std::string(name) + ",a\n0,1\n1,2\n", "x.csv");
+        ASSERT_FALSE(recording) << name;
+        EXPECT_NE(recording.error().hint.find("halbench import"), std::string::npos) << name;
+    }
 }
 
 TEST(RecordingCsv, rowsMissingInTheTimeAxisAreCounted) {
@@ -203,7 +239,8 @@ TEST(RecordingCsv, aLongFileCanBeGivenUpWhileItIsRead) {
     }
     int questions = 0;
     const auto recording = parseRecordingCsv(text, "x", [&questions]() -> Result<void> {
-        return ++questions < 3 ? Result<void>() : failure(ErrorCode::Interrupted, "ended by the user", {});
+        return ++questions < 3 ? Result<void>()
+                               : failure(ErrorCode::Interrupted, "cancelled by the user", {});
     });
     ASSERT_FALSE(recording);
     EXPECT_EQ(recording.error().code, ErrorCode::Interrupted);

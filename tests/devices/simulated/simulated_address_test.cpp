@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, SimulatedBadAddress,
                                            BadAddress{"sim:htm?delay_samples=1.5", ErrorCode::OutOfRange}));
 
 TEST(SimulatedAddress, namesSimulatorsThatAreNotBuilt) {
-    for (const char* text : {"sim:spherical", "sim:nothing"}) {
+    for (const char* text : {"sim:linear", "sim:nothing"}) {
         const auto refused = setup(text);
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().code, ErrorCode::UnknownName);

@@ -72,7 +72,9 @@ TEST(DatagramWatch, dropsRepeatsAndWhatWasOvertakenAcrossTheTurn) {
         const DatagramWatch::Arrival arrival = take(late);
         EXPECT_TRUE(arrival.isStale) << late;
         EXPECT_EQ(arrival.missing, 0U) << "counted when it was overtaken";
+        EXPECT_EQ(arrival.isLate, late != 1) << "a repeat was not missing";
     }
+    EXPECT_FALSE(take(0xFFFE).isLate) << "once more: it came by now";
     EXPECT_FALSE(take(2).isStale);
 }
 

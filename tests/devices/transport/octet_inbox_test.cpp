@@ -39,7 +39,7 @@ TEST(OctetInbox, anOverflowEndsTheConnectionBehindAllThatWaited) {
     const auto end = inbox.take(octets, 0.0);
     ASSERT_FALSE(end) << "what came later has a hole in front of it";
     EXPECT_EQ(end.error().code, ErrorCode::DeviceLost);
-    EXPECT_EQ(end.error().message, "8 MB from the board waited and nobody took them");
+    EXPECT_EQ(end.error().message, "8 MB from the device were not processed in time");
     EXPECT_NE(end.error().hint.find("connect again"), std::string::npos);
     inbox.clear();
     inbox.put(Octets(5, 4));

@@ -10,7 +10,7 @@ namespace {
 TEST(PortAccess, aNodeThatIsNotThereSaysWhereToLook) {
     const auto trouble = troubleOf("/dev/no-such-port");
     ASSERT_TRUE(trouble);
-    EXPECT_EQ(trouble->reason, "/dev/no-such-port is not there");
+    EXPECT_EQ(trouble->reason, "/dev/no-such-port not found");
     EXPECT_NE(trouble->hint.find("halbench devices"), std::string::npos);
     EXPECT_FALSE(troubleOf("/dev/null"));
 }

@@ -118,7 +118,7 @@ TEST(PtyServer, connectDiscardsWhatAnEarlierMasterLeftUnread) {
             board.say(Octets(60, 0x01));
             server.exchange(board);
         }
-        EXPECT_FALSE(board.hasSaidEverything()) << "a line that nobody reads holds the board's queue up";
+        EXPECT_FALSE(board.hasSaidEverything()) << "a line that nobody reads holds device limit queue up";
     }
     SerialMaster second(server);
     second.send(ConnectFrame);

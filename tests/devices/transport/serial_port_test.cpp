@@ -73,7 +73,7 @@ TEST(SerialPort, unpluggingIsToldOnceAndKeepsTheProcessorQuiet) {
     SerialPort gone(at("/dev/ttyNotThere"));
     const auto opened = gone.open(nothing);
     ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().message.find("not there"), std::string::npos) << opened.error().message;
+    EXPECT_NE(opened.error().message.find("not found"), std::string::npos) << opened.error().message;
 }
 
 TEST(SerialPort, secondOpenIsRefusedAndNamesTheHolder) {
@@ -97,7 +97,7 @@ TEST(SerialPort, whatIsNoSerialPortIsRefusedInItsOwnWords) {
     SerialPort missing(at("/dev/no-such-port"));
     const auto none = missing.open(inbox);
     ASSERT_FALSE(none);
-    EXPECT_NE(none.error().message.find("is not there"), std::string::npos);
+    EXPECT_NE(none.error().message.find("not found"), std::string::npos);
     SerialPort file(at("/dev/null"));
     const auto wrong = file.open(inbox);
     ASSERT_FALSE(wrong);

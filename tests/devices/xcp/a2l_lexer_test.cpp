@@ -35,7 +35,7 @@ TEST(A2lLexer, afterAnErrorOnlyTheEndComes) {
     EXPECT_TRUE(lexer.isAtEnd());
     EXPECT_EQ(lexer.takeWord("a word"), "");
     ASSERT_TRUE(lexer.error());
-    EXPECT_NE(lexer.error()->message.find("octet 4: no"), std::string::npos) << "the first error stays";
+    EXPECT_NE(lexer.error()->message.find("byte 4: no"), std::string::npos) << "the first error stays";
 }
 
 TEST(A2lLexer, numbersAreDecimalHexadecimalOrFloating) {

@@ -142,9 +142,9 @@ INSTANTIATE_TEST_SUITE_P(
     Texts, A2lNonsense,
     testing::Values(
         Nonsense{"", "no PROJECT"}, Nonsense{"hello world", "no PROJECT"},
-        Nonsense{"/begin PROJECT", "octet 14: the project's name"},
-        Nonsense{"/begin PROJECT p \"", "octet 17: a text does not end"},
-        Nonsense{"/begin PROJECT p \"\" /begin MODULE m \"\" ", "octet 20: block MODULE does not end"},
+        Nonsense{"/begin PROJECT", "byte 14: the project's name"},
+        Nonsense{"/begin PROJECT p \"", "byte 17: a text does not end"},
+        Nonsense{"/begin PROJECT p \"\" /begin MODULE m \"\" ", "byte 20: block MODULE does not end"},
         Nonsense{"/begin PROJECT p \"\" /end MODULE", "/end MODULE where /end PROJECT"},
         Nonsense{"/end PROJECT", "without its /begin"}, Nonsense{"/* ", "comment does not end"},
         Nonsense{"/begin /begin x", "name of a block"},
@@ -158,8 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
         Nonsense{module("/begin MEASUREMENT x \"\" UBYTE c 0 0 0 0 MATRIX_DIM 60000 60000 "
                         "/end MEASUREMENT"),
                  "elements"},
-        Nonsense{std::string(9 << 20, ' '), "octets are more than"},
-        Nonsense{std::string(5000, 'w'), "too long"}));
+        Nonsense{std::string(9 << 20, ' '), "bytes exceed"}, Nonsense{std::string(5000, 'w'), "too long"}));
 
 TEST(A2l, nestingIsBounded) {
     std::string deep;

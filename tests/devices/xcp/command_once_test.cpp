@@ -175,7 +175,8 @@ TEST_P(CommandOnce, anOlderBoardIsStoppedWhenNobodyKnowsWhetherItStarted) {
     ASSERT_FALSE(started);
     EXPECT_EQ(started.error().code, ErrorCode::Protocol);
     EXPECT_NE(started.error().message.find("reference.start"), std::string::npos) << started.error().message;
-    EXPECT_NE(started.error().message.find("it was ended"), std::string::npos) << started.error().message;
+    EXPECT_NE(started.error().message.find("its start was not confirmed"), std::string::npos)
+        << started.error().message;
     EXPECT_FALSE(bench.isRunning());
     const double moved_rad = bench.signal("reference") - before_rad;
     EXPECT_NEAR(moved_rad, GetParam() == Loss::Command ? 0.0 : Step_rad, 1e-6) << "at most once";

@@ -146,7 +146,7 @@ TEST_F(DescriptionCacheTest, secondConnectionReadsNoDescription) {
     EXPECT_GT(first.uploads, 5U);
     EXPECT_EQ(second.uploads, 0U);
     EXPECT_EQ(second.signals, first.signals);
-    EXPECT_NE(first.messages.front().find("read from the board"), std::string::npos);
+    EXPECT_NE(first.messages.front().find("read from the device"), std::string::npos);
     EXPECT_NE(second.messages.front().find("taken from the cache"), std::string::npos);
 }
 
@@ -162,8 +162,8 @@ TEST_F(DescriptionCacheTest, changedEpkOrNoneIsReadFromTheBoard) {
 TEST_F(DescriptionCacheTest, changedFirmwareIsToldWithBothOfThem) {
     const auto told = [](const Opened& opened) {
         return std::count_if(opened.messages.begin(), opened.messages.end(), [](const std::string& text) {
-            return text.find("the firmware of 'slave' changed: it was 'one'") != std::string::npos &&
-                   text.find("is 'two' now") != std::string::npos;
+            return text.find("the firmware of 'slave' changed from 'one'") != std::string::npos &&
+                   text.find("to 'two'") != std::string::npos;
         });
     };
     EXPECT_EQ(told(connectTo(folder(), "one")), 0);

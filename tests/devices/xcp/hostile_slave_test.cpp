@@ -153,7 +153,7 @@ TEST(HostileSlave, halfADescriptionIsCalledSoWhereverItEnds) {
             attempt([&](TestSlave& slave) { slave.descriptionText = whole.substr(0, size); });
         ASSERT_FALSE(opened.device) << size;
         EXPECT_EQ(opened.device.error().code, ErrorCode::Protocol);
-        EXPECT_NE(opened.device.error().message.find("cut off after " + std::to_string(size) + " octets"),
+        EXPECT_NE(opened.device.error().message.find("ends after " + std::to_string(size) + " bytes"),
                   std::string::npos)
             << opened.device.error().message;
         EXPECT_NE(opened.device.error().hint.find("connect again"), std::string::npos);

@@ -35,8 +35,9 @@ TEST(OtherFirmware, byADescriptionOfAnotherFirmwareNothingIsWritten) {
         XcpDeviceOptions options;
         options.onMessage = [&](const std::string& message) {
             warnings +=
-                message.find("runs firmware '1.1', but its description is of '1.0'") != std::string::npos ? 1
-                                                                                                          : 0;
+                message.find("firmware '1.1' does not match the description of '1.0'") != std::string::npos
+                    ? 1
+                    : 0;
         };
         const auto device = openXcpDevice(std::move(slave), std::move(options));
         ASSERT_TRUE(device) << device.error().message;
@@ -51,7 +52,7 @@ TEST(OtherFirmware, byADescriptionOfAnotherFirmwareNothingIsWritten) {
                  {written, (*device)->saveParameters(), (*device)->arm(), (*device)->clearStop()}) {
                 ASSERT_FALSE(refused);
                 EXPECT_EQ(refused.error().code, ErrorCode::DeviceRefused);
-                EXPECT_NE(refused.error().message.find("nothing is written"), std::string::npos);
+                EXPECT_NE(refused.error().message.find("writing is blocked"), std::string::npos);
                 EXPECT_FALSE(refused.error().hint.empty());
             }
         }
@@ -79,17 +80,26 @@ TEST(OtherFirmware, aBoardThatDoesNotTellItsFirmwareIsAskedWhereItsDescriptionKe
         std::string said;
     };
     for (const Case& one :
-         {Case{"1.0", true, ""}, Case{"1.1", false, "runs firmware '1.1', but its description is of '1.0'"},
-          Case{{"\xFF\x00\x01", 3}, false, "runs firmware '?"},
-          Case{"", true, "whether the two belong together is not known"}}) {
+         {Case{"1.0", true, ""}, Case{"1.1", false, "firmware '1.1' does not match the description of '1.0'"},
+          Case{{"\xFF\x00\x01", 3}, false, "firmware '?"}, Case{{"1.0\0", 4}, true, ""},
+          Case{{"1.0 \xFF", 5}, true, ""},
+          Case{{"1.0\xFF\x37", 5}, true, ""}, // erased memory behind the text
+          Case{{"1.0_beta\0", 9}, false, "firmware '1.0_beta' does not match the description of '1.0'"},
+          Case{"1.0.1", false, "firmware '1.0.1' does not match the description of '1.0'"},
+          Case{"1.05", false, "firmware '1.05' does not match the description of '1.0'"},
+          Case{"", true, "it is unknown whether they match"}}) {
         auto slave = std::make_unique<TestSlave>();
         slave->descriptionText = descriptionWith("EPK \"1.0\" ADDR_EPK 0x9000");
         slave->bendAnswers = [&](const Packet& command, std::deque<Packet>& answers) {
-            const bool isAsked =
-                command[0] == static_cast<std::uint8_t>(Command::ShortUpload) && command[5] == 0x90;
-            if (isAsked && !one.inMemory.empty()) {
+            const bool isAsked = command.size() >= 8 &&
+                                 command[0] == static_cast<std::uint8_t>(Command::ShortUpload) &&
+                                 command[5] == 0x90;
+            const std::size_t offset = isAsked ? command[4] : 0;
+            const std::size_t size = isAsked ? command[1] : 0;
+            if (isAsked && offset + size <= one.inMemory.size()) {
+                const std::string octets = one.inMemory.substr(offset, size);
                 answers = {{0xFF}};
-                answers[0].insert(answers[0].end(), one.inMemory.begin(), one.inMemory.end());
+                answers[0].insert(answers[0].end(), octets.begin(), octets.end());
             } else if (isAsked) {
                 answers = slaveError(SlaveError::AccessDenied);
             }

@@ -53,14 +53,14 @@ TEST(SamplingPlan, signalsOfDifferentEventsAreRefusedByNameAtAnyRate) {
         ASSERT_FALSE(plan);
         EXPECT_EQ(plan.error().code, ErrorCode::OutOfRange);
         EXPECT_NE(plan.error().message.find("'slow' (100 Hz)"), std::string::npos) << plan.error().message;
-        EXPECT_NE(plan.error().hint.find("a stream of their own"), std::string::npos);
+        EXPECT_NE(plan.error().hint.find("of the same event together"), std::string::npos);
     }
 }
 
 TEST(SamplingPlan, rateThatNoEventDividesToNamesTheNearest) {
     const auto plan = planSampling(board(), ability(), {{"slow"}, 60.0});
     ASSERT_FALSE(plan);
-    EXPECT_EQ(plan.error().hint, "the nearest possible rates are 50 Hz and 100 Hz");
+    EXPECT_EQ(plan.error().hint, "the nearest possible rates: 50 Hz and 100 Hz");
 }
 
 } // namespace

@@ -111,6 +111,18 @@ TEST(StreamAssembler, lateStampsAreNoLoss) {
     EXPECT_EQ(recording.lostRows, 0U);
 }
 
+TEST(StreamAssembler, aBoardThatWasHeldUpAndCatchesUpLosesNothing) {
+    // Rows 500 to 599 are stamped when the processor was free again, 20 us apart, as are the rows behind
+    // them.
+    const auto stamp_s = [](std::uint32_t row) {
+        return row < 500 ? onTime(row)
+                         : std::max(onTime(row), onTime(600) + 0.37 * Period_s + 2e-5 * (row - 500));
+    };
+    const Recording recording = recorded(3000, stamp_s, stamp_s);
+    EXPECT_EQ(recording.rows(), 3000U);
+    EXPECT_EQ(recording.lostRows, 0U);
+}
+
 TEST(StreamAssembler, rowsBehindALongStepComeSoonWhetherOneWasLostOrNot) {
     StreamAssembler stream = assemblerOf();
     std::uint32_t row = 0;
@@ -119,12 +131,30 @@ TEST(StreamAssembler, rowsBehindALongStepComeSoonWhetherOneWasLostOrNot) {
     }
     EXPECT_EQ(taken(stream).rows(), 100U);
     ++row; // lost, and all that follow are 0.3 periods late
-    for (; row < 106; ++row) {
+    constexpr std::uint32_t Behind = RowGrid::LookAhead + 1;
+    for (; row < 101 + Behind; ++row) {
         feedRow(stream, row, onTime(row) + 0.3 * Period_s, onTime(row));
     }
     const Recording recording = taken(stream);
-    EXPECT_EQ(recording.rows(), 5U);
+    EXPECT_EQ(recording.rows(), Behind);
     EXPECT_EQ(recording.lostRows, 1U);
+}
+
+TEST(StreamAssembler, rowsThatStillWaitWhenTheLineEndsAreDelivered) {
+    for (const double late_ratio : {0.3, 0.4, -0.3}) {
+        StreamAssembler stream = assemblerOf();
+        for (std::uint32_t row = 0; row < 100; ++row) {
+            feedRow(stream, row, onTime(row), onTime(row));
+        }
+        EXPECT_EQ(taken(stream).rows(), 100U);
+        // Row 101 waits for the next ones to tell a loss from a late stamp.
+        feedRow(stream, 101, onTime(101) + late_ratio * Period_s, onTime(101));
+        EXPECT_EQ(taken(stream).rows(), 0U) << late_ratio;
+        stream.finish();
+        const Recording recording = taken(stream);
+        EXPECT_EQ(recording.rows(), 1U) << late_ratio;
+        EXPECT_EQ(recording.lostRows, 0U) << late_ratio << ": nobody can tell any more";
+    }
 }
 
 TEST(StreamAssembler, withoutTimeStampsTheTransportTellsWhatWasLost) {
@@ -207,6 +237,7 @@ TEST(StreamAssembler, singleStampsThatAreSpoiledAreNoRestart) {
         feedRow(stream, row, isSpoiled ? (row % 20 < 10 ? 3000.0 : 0.0) : 10.0 + onTime(row), onTime(row));
     }
     EXPECT_EQ(stream.clockRestarts(), 0U);
+    stream.finish();
     const Recording recording = taken(stream);
     EXPECT_EQ(recording.rows(), 800U);
     EXPECT_EQ(recording.lostRows, 200U);

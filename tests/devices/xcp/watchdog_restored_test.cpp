@@ -81,7 +81,8 @@ TEST_F(WatchdogRestored, isTriedAgainWhenTheDeviceIsLeft) {
     line->refusals = 3;
     EXPECT_FALSE(device->disarm());
     EXPECT_EQ(watchdog_ms(), 1000);
-    EXPECT_NE(said.find("hb.watchdog_ms may still be 1000 instead of 0 ms"), std::string::npos) << said;
+    EXPECT_NE(said.find("hb.watchdog_ms of the device may still be 1000 instead of 0 ms"), std::string::npos)
+        << said;
     device.reset();
     EXPECT_EQ(watchdog_ms(), 0);
 }
@@ -90,7 +91,8 @@ TEST_F(WatchdogRestored, isToldWhenItFailsForGood) {
     line->refusals = 1000;
     device.reset(); // armed: left by a program that ends
     EXPECT_EQ(board->firmware().safety.armed, 0);
-    EXPECT_NE(said.find("hb.watchdog_ms may still be 1000 instead of 0 ms"), std::string::npos) << said;
+    EXPECT_NE(said.find("hb.watchdog_ms of the device may still be 1000 instead of 0 ms"), std::string::npos)
+        << said;
 }
 
 } // namespace

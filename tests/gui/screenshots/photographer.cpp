@@ -73,7 +73,7 @@ bool Photographer::takeRecordings() {
     take(QStringLiteral("recordings-import"));
     tabs->setCurrentIndex(0);
     table->selectRow(0);
-    press("recordings", "halbench::app::RecordingsPanel", "Play");
+    press("recordings", "halbench::app::RecordingsPanel", "Replay");
     QTest::qWait(DataTime_ms / 2);
     take(QStringLiteral("recordings-played"));
     return m_isSaved;

@@ -96,7 +96,7 @@ bool Photographer::takeDesigns() {
         }
         const bool isLast = method == std::string_view("recommended");
         if (!wait([&] { return m_window.bench().design()->method == method; }) ||
-            !(isLast || press("tune", "halbench::app::DesignTable", "Keep this design"))) {
+            !(isLast || press("tune", "halbench::app::DesignTable", "Save design"))) {
             return false;
         }
     }
@@ -139,9 +139,9 @@ bool Photographer::takeDesigns() {
 /// A loop that no board runs, and back.
 bool Photographer::takeFilters() {
     QWidget& tune = *m_window.docks().panel("tune");
-    const auto isShaped = [this] { return m_window.bench().design()->shaped.has_value(); };
+    const auto isFiltered = [this] { return m_window.bench().design()->filtered.has_value(); };
     if (!press("tune", "halbench::app::FilterEditor", "Weights and filters") ||
-        !press("tune", "halbench::app::FilterEditor", "Add a filter") || !wait(isShaped)) {
+        !press("tune", "halbench::app::FilterEditor", "Add a filter") || !wait(isFiltered)) {
         return false;
     }
     QTest::qWait(DataTime_ms / 5);
@@ -153,7 +153,7 @@ bool Photographer::takeFilters() {
             break;
         }
     }
-    return wait([&] { return !isShaped(); }) &&
+    return wait([&] { return !isFiltered(); }) &&
            press("tune", "halbench::app::FilterEditor", "Weights and filters");
 }
 

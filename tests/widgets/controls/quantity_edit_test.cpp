@@ -1,7 +1,7 @@
 #include "tests/widgets/gui_fixture.h"
 #include "widgets/controls/optional_number_edit.h"
 #include "widgets/controls/quantity_edit.h"
-#include "widgets/language/number_words.h"
+#include "widgets/language/number_text.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QLineEdit>
@@ -54,13 +54,13 @@ TEST_F(QuantityEditTest, lettersStayToBeSeenAndAreNamed) {
 TEST_F(QuantityEditTest, theDecimalSignOfAnotherLanguageIsNamedAsTheCause) {
     type(QStringLiteral("12,5"));
     EXPECT_TRUE(edit->problem().startsWith(QStringLiteral("','"))) << edit->problem().toStdString();
-    EXPECT_TRUE(edit->problem().contains(QStringLiteral("write '.'"))) << edit->problem().toStdString();
+    EXPECT_TRUE(edit->problem().contains(QStringLiteral("Use '.'"))) << edit->problem().toStdString();
     QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
     type(QStringLiteral("12,5"));
     EXPECT_TRUE(edit->problem().isEmpty());
     type(QStringLiteral("1.500")); // 1500 or 1,5
     EXPECT_TRUE(edit->problem().startsWith(QStringLiteral("'.'"))) << edit->problem().toStdString();
-    EXPECT_TRUE(edit->problem().contains(QStringLiteral("write ','"))) << edit->problem().toStdString();
+    EXPECT_TRUE(edit->problem().contains(QStringLiteral("Use ','"))) << edit->problem().toStdString();
 }
 
 TEST_F(QuantityEditTest, aWordMayStandForTheLeastValue) {

@@ -71,7 +71,7 @@ TEST_F(ResultWidgetsTest, whereItIsNarrowNamesTakeTwoLinesAndNoColumnIsCut) {
     QWidget page; // first: it must outlive its table
     EstimateTable table;
     table.setLastTitle("On the device");
-    table.setRows({{"angle error that the map takes away, rms", 1.2, 1.1, 1.3, "\u00b0", "1.15", ""}});
+    table.setRows({{"angle error removed by the map, rms", 1.2, 1.1, 1.3, "\u00b0", "1.15", ""}});
     auto* column = new QVBoxLayout(&page);
     column->addWidget(&table);
     column->addStretch(1);

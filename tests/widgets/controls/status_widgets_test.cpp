@@ -90,7 +90,7 @@ TEST_F(StatusWidgets, nothingBlinksWhereTheDesktopWantsNoBlinking) {
 TEST_F(StatusWidgets, stripShowsDeviceAndSimulation) {
     StatusStrip strip;
     EXPECT_FALSE(showsText(strip, QStringLiteral("SIMULATED")));
-    strip.setDevice(QStringLiteral("sim:htm"), true);
+    strip.setDevice(QStringLiteral("sim:htm"), SourceKind::Simulation);
     EXPECT_TRUE(showsText(strip, QStringLiteral("SIMULATED")));
     EXPECT_TRUE(showsText(strip, QStringLiteral("sim:htm")));
     EXPECT_TRUE(strip.accessibleDescription().contains(QStringLiteral("simulated")));

@@ -10,7 +10,7 @@ namespace {
 class StepListTest : public GuiTest {
 protected:
     void fill(StepList& list) {
-        list.setSteps({QStringLiteral("Prepare"), QStringLiteral("Sweep"), QStringLiteral("Judge")});
+        list.setSteps({QStringLiteral("Prepare"), QStringLiteral("Sweep"), QStringLiteral("Assess")});
     }
 };
 

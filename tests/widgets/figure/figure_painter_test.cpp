@@ -189,7 +189,7 @@ TEST(FigurePainter, aBandIsFilledBehindItsCurveAndDoesNotStretchTheAxis) {
     panel.curves = {{"one", {0.0, 1.0}, {0.0, 1.0}, CurveStyle::Line, 1}};
     const FigureScale plain = verticalScale(panel, 200.0);
     panel.curves.push_back(
-        {"5 % to 95 %", {0.0, 1.0, 1.0, 0.0}, {0.3, 1e30, 0.7, -0.3}, CurveStyle::Band, 0});
+        {"5-95 % band", {0.0, 1.0, 1.0, 0.0}, {0.3, 1e30, 0.7, -0.3}, CurveStyle::Band, 0});
     EXPECT_EQ(verticalScale(panel, 200.0).division.upperBound(), plain.division.upperBound());
     const FigureLayout layout = layOut(figure, 600);
     EXPECT_EQ(layout.panels[0].legend.size(), 2U);

@@ -5,6 +5,7 @@
 
 #include <QClipboard>
 #include <QFile>
+#include <QFileInfo>
 #include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -119,6 +120,19 @@ TEST_F(FigureViewTest, fillsItsHeightAndNeverNeedsMoreThanItsMinimum) {
     EXPECT_EQ(view.image(1.0), picture) << "what leaves the window is for paper";
 }
 
+TEST_F(FigureViewTest, savesThePictureOfTheMomentItWasTaken) {
+    showFigure({500, 360});
+    const QImage before = view.image(2.0);
+    const PictureSaving taken = view.taken();
+    view.clear(); // while the file is chosen
+    const QTemporaryDir folder;
+    ASSERT_TRUE(taken(folder.filePath("a.png"))());
+    EXPECT_EQ(QImage(folder.filePath("a.png")).convertToFormat(QImage::Format_RGB32),
+              before.convertToFormat(QImage::Format_RGB32));
+    ASSERT_TRUE(taken(folder.filePath("a.csv"))());
+    EXPECT_GT(QFileInfo(folder.filePath("a.csv")).size(), 20);
+}
+
 TEST_F(FigureViewTest, copiesAndSavesThePicture) {
     showFigure({500, 360});
     QTest::keyClick(&view, Qt::Key_C, Qt::ControlModifier);
@@ -128,13 +142,13 @@ TEST_F(FigureViewTest, copiesAndSavesThePicture) {
     EXPECT_EQ(exports.count(), 1);
 
     const QTemporaryDir folder;
-    ASSERT_TRUE(view.saving(folder.filePath("a.png"))());
+    ASSERT_TRUE(view.taken()(folder.filePath("a.png"))());
     EXPECT_EQ(QImage(folder.filePath("a.png")).size(), QSize(1000, 720));
-    ASSERT_TRUE(view.saving(folder.filePath("a.svg"))());
+    ASSERT_TRUE(view.taken()(folder.filePath("a.svg"))());
     QFile svg(folder.filePath("a.svg"));
     ASSERT_TRUE(svg.open(QIODevice::ReadOnly));
     EXPECT_TRUE(svg.readAll().contains("Test run"));
-    const auto refused = view.saving(folder.filePath("none/a.png"))();
+    const auto refused = view.taken()(folder.filePath("none/a.png"))();
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::FileSystem);
 }

@@ -29,9 +29,9 @@ private:
         {"a bandwidth of {} Hz is not possible with this motor at {} Hz sampling and {} samples of delay",
          "bei {1} Hz: {0} Hz"},
         {"the board stopped", "gestoppt"},
-        {"Nothing is armed without it; check the temperature sensors.", "Sensoren prüfen!"},
-        {"find the cause, then clear the stop", "Ursache finden"},
-        {", the board's clock gains {} +- {} ppm", ", Uhr: {} +- {}"},
+        {"Nothing was armed. Check the temperature sensors.", "Sensoren prüfen!"},
+        {"remove the cause, then release the stop", "Ursache finden"},
+        {", the device clock is fast by {} +- {} ppm", ", Uhr: {} +- {}"},
         {"off", "aus"},
     };
 };
@@ -78,9 +78,8 @@ TEST_F(PhrasebookTest, followsTheOrderOfTheTranslationAndMayLeaveOut) {
 }
 
 TEST_F(PhrasebookTest, looksUpEachOfSeveralSentences) {
-    EXPECT_EQ(said("the board stopped. find the cause, then clear the stop"), "gestoppt. Ursache finden");
-    EXPECT_EQ(said("Nothing is armed without it; check the temperature sensors. the board "
-                   "stopped"),
+    EXPECT_EQ(said("the board stopped. remove the cause, then release the stop"), "gestoppt. Ursache finden");
+    EXPECT_EQ(said("Nothing was armed. Check the temperature sensors. the board stopped"),
               "Sensoren prüfen. gestoppt");
 }
 
@@ -90,7 +89,7 @@ TEST_F(PhrasebookTest, looksUpASentenceBehindItsPlace) {
 }
 
 TEST_F(PhrasebookTest, looksUpWhatWasAddedToASentence) {
-    EXPECT_EQ(said("the board stopped, the board's clock gains 0.5 +- 0.1 ppm"),
+    EXPECT_EQ(said("the board stopped, the device clock is fast by 0.5 +- 0.1 ppm"),
               "gestoppt, Uhr: 0,5 \u00b1 0,1");
 }
 
@@ -104,7 +103,7 @@ TEST_F(PhrasebookTest, leavesUnknownWordsAsTheyAre) {
 TEST(Phrasebook, writesPlusMinusAsASignOnTheScreen) {
     EXPECT_EQ(inWords(QStringLiteral("friction holds the rotor within +-8.2 deg of the reference")),
               QStringLiteral("friction holds the rotor within \u00b18.2\u00b0 of the reference"));
-    EXPECT_EQ(inWords(QStringLiteral("'a+-1.csv' is not there")), QStringLiteral("'a+-1.csv' is not there"));
+    EXPECT_EQ(inWords(QStringLiteral("'a+-1.csv' not found")), QStringLiteral("'a+-1.csv' not found"));
 }
 
 TEST(Phrasebook, writesDegreesAsASignOnTheScreen) {
@@ -117,10 +116,11 @@ TEST(Phrasebook, writesDegreesAsASignOnTheScreen) {
 }
 
 TEST(Phrasebook, speaksEnglishLetterByLetterWithoutATranslator) {
-    for (const char* text : {"the device has no parameter 'gain.kq'", "a move of 0.01 s is out of range",
-                             "the board cannot be armed: current above its limit",
-                             "parameter 'gain.kp' = 1e9 A/rad is out of range",
-                             "the board stopped. find the cause, then clear the stop", "no words of ours"}) {
+    for (const char* text :
+         {"the device has no parameter 'gain.kq'", "a move of 0.01 s is out of range",
+          "the board cannot be armed: current above its limit",
+          "parameter 'gain.kp' = 1e9 A/rad is out of range",
+          "the board stopped. remove the cause, then release the stop", "no words of ours"}) {
         EXPECT_EQ(inWords(std::string(text)).toStdString(), text);
     }
 }

@@ -1,7 +1,7 @@
 #include "tests/widgets/live_plot/live_plot_stack_fixture.h"
 #include "widgets/language/time_decimals.h"
+#include "widgets/live_plot/axes/time_field.h"
 #include "widgets/live_plot/cursor_bar.h"
-#include "widgets/live_plot/time_field.h"
 
 #include <QLabel>
 #include <QLineEdit>

@@ -18,7 +18,7 @@ TEST(WindowTerms, namesNoOptionOfTheCommandLine) {
 }
 
 TEST(WindowTerms, leavesEverythingElse) {
-    EXPECT_FALSE(windowTerms("dwell longer at each current"));
+    EXPECT_FALSE(windowTerms("use a longer time at each current"));
 }
 
 } // namespace

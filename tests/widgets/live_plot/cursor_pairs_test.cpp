@@ -99,7 +99,7 @@ TEST_F(CursorPairKeysTest, aNameThatIsTakenOrEmptyIsRefusedInPlaceAndTheOldOneSt
     for (const QLabel* label : bar().findChildren<QLabel*>()) {
         said += label->text();
     }
-    EXPECT_TRUE(said.contains("There is a pair 1 already")) << said.toStdString();
+    EXPECT_TRUE(said.contains("Pair 1 exists already")) << said.toStdString();
     EXPECT_FALSE(bar().findChild<QLineEdit*>("name")->isVisible());
     EXPECT_EQ(bar().findChild<QToolButton*>()->text(), "2");
 }

@@ -1,5 +1,5 @@
 #include "tests/widgets/live_plot/live_plot_stack_fixture.h"
-#include "widgets/live_plot/time_axis_bar.h"
+#include "widgets/live_plot/axes/time_axis_bar.h"
 
 #include <QFontInfo>
 #include <QPainter>
@@ -159,7 +159,7 @@ TEST_F(LivePlotStackTest, thatItIsPausedIsWholeBesideCursorsInTheWindowsFirstSiz
     frame();
     const auto bars = stack.findChildren<TimeAxisBar*>();
     const auto said = std::find_if(bars.begin(), bars.end(), [](const TimeAxisBar* bar) {
-        return bar->isVisible() && bar->state().contains(" kept");
+        return bar->isVisible() && bar->state().contains("Paused for");
     });
     ASSERT_NE(said, bars.end());
     QString words = (*said)->state(); // for a while
@@ -317,7 +317,7 @@ TEST_F(LivePlotStackTest, theStateBelowANarrowPlotIsWholeBecauseTheTitleGivesWay
     TimeAxisBar bar;
     const int letter_px = bar.fontMetrics().averageCharWidth();
     bar.setRange({-1.0, 3.0}, 1.0, 0.0); // the longer title: time from the event
-    bar.setState(QStringLiteral("Triggered view; press End to follow"), true);
+    bar.setState(QStringLiteral("Triggered view (End: live)"), true);
     for (const int canvas : {40, 60, 200}) { // in letters; the legend has thirty at its right
         bar.resize((10 + canvas + 30) * letter_px, bar.height());
         bar.setCanvas(10 * letter_px, canvas * letter_px);

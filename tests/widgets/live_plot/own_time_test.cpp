@@ -1,5 +1,5 @@
 #include "tests/widgets/live_plot/live_plot_stack_fixture.h"
-#include "widgets/live_plot/time_axis_bar.h"
+#include "widgets/live_plot/axes/time_axis_bar.h"
 
 #include <QtTest>
 

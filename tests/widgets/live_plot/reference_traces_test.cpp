@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace halbench::widgets {
 namespace {
@@ -80,15 +81,19 @@ TEST(ReferenceTraces, eventsLieOverEachOtherAndElseTheBeginnings) {
     EXPECT_EQ(shiftOf(traces, 10.0, std::nullopt), 8.0);
 }
 
-/// Whether a column has a colour near this one around a height.
-bool isThere(const QImage& image, int column, double height, const QColor& colour) {
-    constexpr int Reach = 3; // half a line's width, its soft edge, and the slope within a column
-    const int middle = static_cast<int>(std::lround(height));
-    for (int y = std::max(0, middle - Reach); y <= std::min(image.height() - 1, middle + Reach); ++y) {
+/// Whether a column has a colour near this one between two heights.
+bool isThere(const QImage& image, int column, std::pair<double, double> heights, const QColor& colour) {
+    constexpr int Reach = 3; // half a line's width and its soft edge
+    // A line of 1.5 pixels covers some row by three quarters at least; the rest is the white ground.
+    const int allowed = (3 * 255 - colour.red() - colour.green() - colour.blue()) * 3 / 10;
+    const auto [top, bottom] = std::minmax(heights.first, heights.second);
+    const int first = std::max(0, static_cast<int>(std::lround(top)) - Reach);
+    const int last = std::min(image.height() - 1, static_cast<int>(std::lround(bottom)) + Reach);
+    for (int y = first; y <= last; ++y) {
         const QColor pixel = image.pixelColor(column, y);
         const int away = std::abs(pixel.red() - colour.red()) + std::abs(pixel.green() - colour.green()) +
                          std::abs(pixel.blue() - colour.blue());
-        if (away < 24) {
+        if (away < allowed) {
             return true;
         }
     }
@@ -120,11 +125,12 @@ TEST_F(ReferenceStackTest, whatIsKeptStaysWhereItWasWhenTheViewGoesOn) {
     int found = 0;
     int columns = 0;
     for (int column = 20; column < image.width() - 20; column += 7) {
-        const double time_s = angle->timeAt(column + 0.5) - 10.0; // as it was then
-        const auto sample = history.valueAt("angle", time_s);
-        ASSERT_TRUE(sample);
-        const double y = angle->canvasMap(QwtPlot::yLeft).transform(180.0 / Pi * sample->value);
-        found += isThere(image, column, y, faint) ? 1 : 0;
+        const auto height = [&](double x_px) { // as it was then
+            const auto sample = history.valueAt("angle", angle->timeAt(x_px) - 10.0);
+            EXPECT_TRUE(sample);
+            return angle->canvasMap(QwtPlot::yLeft).transform(180.0 / Pi * sample.value().value);
+        };
+        found += isThere(image, column, {height(column), height(column + 1.0)}, faint) ? 1 : 0;
         ++columns;
     }
     EXPECT_GT(columns, 50);

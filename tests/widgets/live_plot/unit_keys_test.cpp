@@ -48,7 +48,7 @@ TEST_F(UnitKeysTest, theKeyOffersTheUnitsAndArrowsChoose) {
     QMenu* menu = press(chosen(0, 1), Qt::Key_U);
     ASSERT_NE(menu, nullptr);
     ASSERT_EQ(menu->actions().size(), 3);
-    EXPECT_EQ(menu->actions()[0]->text(), "As in the preferences (mT)");
+    EXPECT_EQ(menu->actions()[0]->text(), "Default of the preferences (mT)");
     EXPECT_TRUE(menu->actions()[0]->isChecked());
     EXPECT_EQ(menu->activeAction(), menu->actions()[0]) << "arrows go on from the present one";
     press(*menu, Qt::Key_Down);

@@ -128,7 +128,7 @@ TEST_F(ParameterTableTest, showsAValueThatChangedBehindItsBack) {
     model.setDeviceValues({{"gain.kp", 20.0}}, Model::Origin::Read);
     const QModelIndex kp = model.indexOf("gain.kp").siblingAtColumn(Model::DeviceColumn);
     EXPECT_TRUE(kp.data(Model::OutsideRole).toBool());
-    EXPECT_TRUE(kp.data(Qt::ToolTipRole).toString().contains(QStringLiteral("was 10")));
+    EXPECT_TRUE(kp.data(Qt::ToolTipRole).toString().contains(QStringLiteral("10 before")));
     EXPECT_EQ(cell(model, "gain.kp", Model::EditedColumn), QStringLiteral("20")); // no stale copy to write
     EXPECT_EQ(model.changedCount(), 1);
     model.acknowledgeOutsideChanges();

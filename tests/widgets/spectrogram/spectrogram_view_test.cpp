@@ -169,12 +169,12 @@ TEST_F(SpectrogramViewTest, theMarkStaysAtItsTimeAndGoesWithIt) {
 
 TEST_F(SpectrogramViewTest, isSavedInEveryFormatAndCopied) {
     QTemporaryDir folder;
-    EXPECT_FALSE(view.saving(folder.filePath("none.png"))());
+    EXPECT_FALSE(view.taken()(folder.filePath("none.png"))());
     view.setPicture(tone());
     for (const auto& [name, start] :
          {std::pair{"a.svg", "<?xml"}, std::pair{"a.pdf", "%PDF-"}, std::pair{"a.png", "\x89PNG"}}) {
         const QString path = folder.filePath(name);
-        ASSERT_TRUE(view.saving(path)());
+        ASSERT_TRUE(view.taken()(path)());
         QFile file(path);
         ASSERT_TRUE(file.open(QIODevice::ReadOnly));
         EXPECT_TRUE(file.readAll().startsWith(start)) << name;

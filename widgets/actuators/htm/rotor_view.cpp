@@ -69,7 +69,7 @@ QString RotorView::modelName() const {
     case FieldModel::Segmented:
         return tr("%n separate magnets", nullptr, m_geometry.ring.bars);
     case FieldModel::Measured:
-        return tr("as the Hall sensors see it");
+        return tr("as measured by the Hall sensors");
     case FieldModel::Ideal:
         break;
     }
@@ -80,7 +80,7 @@ void RotorView::describe() {
     setAccessibleName(tr("Cross-section of the rotor"));
     const QString angle = m_angle_rad
                               ? tr("rotor at %1 degrees").arg(std::lround(radiansToDegrees(*m_angle_rad)))
-                              : tr("angle not known");
+                              : tr("angle unknown");
     const QString words = m_isStale ? tr("%1 (old); field: %2").arg(angle, modelName())
                                     : tr("%1; field: %2").arg(angle, modelName());
     if (words != accessibleDescription()) {

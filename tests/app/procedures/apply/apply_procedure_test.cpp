@@ -1,5 +1,6 @@
 #include "app/procedures/apply/apply_procedure.h"
 #include "tests/app/procedures/faulty_motor.h"
+#include "tests/app/procedures/rogue_board.h"
 #include "tests/app/procedures/simulated_motor.h"
 #include "tests/app/procedures/uncertain_motor.h"
 
@@ -53,7 +54,7 @@ TEST(Apply, saysBeforehandHowFarItsMoveMayGo) {
     double farthest_rad = 0.0;
     ProcedureObserver observer;
     observer.onProgress = [&](double, const std::string& text) {
-        if (text == "makes the move") {
+        if (text == "move running") {
             window_rad =
                 parameter(*device, "window.position_enabled") * parameter(*device, "window.position");
             speed_rad_s = parameter(*device, "window.speed");
@@ -170,7 +171,7 @@ Result<ApplyResult> applyUnseen(double from_ratio, double to_ratio) {
     const auto device = motorAndLink.connect();
     ProcedureObserver observer;
     observer.onProgress = [&](double share, const std::string& text) {
-        if (text != "makes the move") {
+        if (text != "move running") {
             return;
         }
         motorAndLink.faults().alterReceived = nullptr;
@@ -273,13 +274,13 @@ TEST(Apply, anAbortWhoseRestoreTheBoardDoesNotConfirmIsNotOnlyAnAbort) {
             return {};
         }
         board.faults().isUnplugged = true; // the cable is pulled in the same moment
-        return failure(ErrorCode::Interrupted, "ended by the user", "the old gains run again");
+        return failure(ErrorCode::Interrupted, "cancelled by the user", "old gains restored");
     };
     const auto result = runApply(*device, recommendedWith(*device, motor()), observer);
     ASSERT_FALSE(result);
     EXPECT_NE(result.error().code, ErrorCode::Interrupted);
     EXPECT_NE(result.error().message.find("not confirmed"), std::string::npos) << result.error().message;
-    EXPECT_EQ(result.error().hint.find("run again"), std::string::npos) << result.error().hint;
+    EXPECT_EQ(result.error().hint.find("restored"), std::string::npos) << result.error().hint;
 }
 
 TEST(RestoreGuard, putsEveryTransactionalParameterBack) {
@@ -307,6 +308,36 @@ TEST(RestoreGuard, keepsWhatIsToBeKeptButDisarms) {
     }
     EXPECT_EQ(parameter(*device, "gain.kp"), 33.0);
     EXPECT_FALSE(device->state().isArmed);
+}
+
+/// Counts how often the gains are read.
+class CountingBoard final : public RogueBoard {
+public:
+    explicit CountingBoard(std::unique_ptr<devices::Device> device)
+        : RogueBoard(std::move(device), [](std::vector<ParameterValue> values) { return values; }) {}
+
+    Result<std::vector<double>> readParameters(std::span<const std::string> names) override {
+        m_reads += std::find(names.begin(), names.end(), "gain.kp") != names.end() ? 1 : 0;
+        return RogueBoard::readParameters(names);
+    }
+    int reads() const { return m_reads; }
+
+private:
+    int m_reads = 0;
+};
+
+TEST(Apply, readsTheGainsOnceBeforeAndOnceAfterItWrites) {
+    CountingBoard board(openMotor("imperfections=off"));
+    ApplyConfig config = recommendedWith(board, motor());
+    config.verification.reset(); // its move is a procedure of its own
+    const auto result = runApply(board, config, {});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(result->isKept);
+    EXPECT_EQ(board.reads(), 2);
+    ASSERT_EQ(result->before.size(), config.values.size());
+    for (std::size_t i = 0; i < config.values.size(); ++i) {
+        EXPECT_EQ(result->before[i].name, config.values[i].name);
+    }
 }
 
 } // namespace

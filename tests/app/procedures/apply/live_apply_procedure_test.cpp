@@ -107,7 +107,7 @@ TEST(LiveApply, theMoveEndsWhenItLeavesItsBand) {
     ASSERT_TRUE(result && !result->apply.isKept);
     EXPECT_LT(device->clock().now_s() - verifying_s, 1.0) << "of a move of 2 s";
     EXPECT_FALSE(result->apply.verification) << "it has no move that was made to its end";
-    EXPECT_NE(result->apply.quality.findings.back().message.find("left the predicted band at"),
+    EXPECT_NE(result->apply.quality.findings.back().message.find("outside the predicted band at"),
               std::string::npos)
         << result->apply.quality.findings.back().message;
 }

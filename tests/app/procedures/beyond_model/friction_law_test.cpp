@@ -50,6 +50,24 @@ TEST(IdentifyFrictionLaw, aLossThatAWrongStrayFieldMayMakeIsAnErrorOfTorqueAndDa
     EXPECT_EQ(covariance(1, 1), 0.0);
 }
 
+TEST(IdentifyJudge, anAsymmetryIsSaidOnlyWhereItsNumberMeansSomething) {
+    IdentifyFits fits = fitsWithLoss(3.9e-7);
+    fits.balance->friction_rad_s2 = 40.0;
+    fits.balance->freedom = 20;
+    fits.balance->asymmetryError = 1e-6;
+    const auto messageFor = [&fits](double asymmetry) {
+        fits.balance->asymmetry = asymmetry;
+        for (const Finding& finding : judgeFits(fits, {}).quality.findings) {
+            if (finding.code == "friction_asymmetry") {
+                return finding.message;
+            }
+        }
+        return std::string();
+    };
+    EXPECT_EQ(messageFor(2e-4), ""); // 0.0 %, less than the currents of two directions are known to
+    EXPECT_NE(messageFor(-0.05).find("10.0 %"), std::string::npos); // (K+ - K-) over the mean of both
+}
+
 TEST(IdentifyMotion, leavesTheMotionBelowTheUsableSpeedOut) {
     IdentifyConfig config;
     config.usableSpeed_rad_s = 4.5;

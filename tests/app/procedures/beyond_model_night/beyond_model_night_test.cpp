@@ -1,4 +1,4 @@
-#include "tests/app/procedures/beyond_model/beyond_model.h"
+#include "tests/app/procedures/beyond_model/bad_amplifier.h"
 
 namespace halbench::app {
 namespace {
@@ -7,6 +7,10 @@ namespace {
 // (Poisson).
 TEST(IdentifyBeyondTheModel, isRightOrNotGoodFor200Motors) {
     EXPECT_LE(countWrongAndGood(1, 200), 4);
+}
+
+TEST(IdentifyOnABadAmplifierNight, isRightOrNotGoodForTwoHundred) {
+    EXPECT_EQ(countWrongAndGoodOnBadAmplifiers(0, 199), 0);
 }
 
 } // namespace

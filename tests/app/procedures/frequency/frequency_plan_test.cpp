@@ -27,7 +27,7 @@ TEST(FrequencyPlan, theBaseIsNeverFasterThanHalfTheSpeedLimit) {
             EXPECT_LE(plan->turn_rad_s, 0.5 * config.speedLimit_rad_s) << from_Hz;
             EXPECT_GE(plan->turn_rad_s, 3.0) << from_Hz;
         } else {
-            EXPECT_NE(plan.error().hint.find("lower lowest frequency"), std::string::npos) << from_Hz;
+            EXPECT_NE(plan.error().hint.find("smaller lowest frequency"), std::string::npos) << from_Hz;
         }
     }
     config.from_Hz = 20.0; // 0.2 s: 0.382 turns in it are 12.0 rad/s, 1.382 turns 43.4

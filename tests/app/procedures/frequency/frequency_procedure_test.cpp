@@ -329,7 +329,7 @@ TEST(FrequencyIdentification, aMarginWithoutBoundsIsToldInWords) {
     int told = 0;
     for (const Finding& finding : quality.findings) {
         EXPECT_EQ(finding.message.find("inf"), std::string::npos) << finding.message;
-        told += finding.message.find("not bounded") != std::string::npos ? 1 : 0;
+        told += finding.message.find("completely uncertain") != std::string::npos ? 1 : 0;
     }
     EXPECT_EQ(told, 2);
 }

@@ -150,7 +150,7 @@ TEST(IdentifyPhysics, usesEveryPlateauOfAnAngleThatWrapsAndSaysSo) {
         const IdentifyResult result = identify(goodRecord(), wrapped, currentOf);
         const Finding* finding = findingOf(result, "angle_wraps");
         ASSERT_NE(finding, nullptr);
-        EXPECT_NE(finding->message.find("the angle wraps"), std::string::npos);
+        EXPECT_NE(finding->message.find("angle wraps"), std::string::npos);
         EXPECT_EQ(findingOf(result, "plateaus_stopped"), nullptr);
         ASSERT_EQ(result.points.size(), whole.points.size());
         for (std::size_t i = 0; i < whole.points.size(); ++i) {

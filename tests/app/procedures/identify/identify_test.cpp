@@ -88,6 +88,19 @@ TEST(Identify, frictionThatDependsOnSpeedIsWithinTheIntervalOrTheVerdictIsNotGoo
     }
 }
 
+TEST(Identify, aMotorWithoutFrictionIsGood) {
+    for (int seed = 1; seed <= 8; ++seed) {
+        const auto device = open("sim:htm?c=2e-3&Kf=0&seed=" + std::to_string(seed));
+        const auto result = runIdentify(*device, withInertia(5.5e-4), {});
+        ASSERT_TRUE(result) << result.error().message;
+        std::string findings;
+        for (const Finding& finding : result->quality.findings) {
+            findings += finding.code + ": " + finding.message + "\n";
+        }
+        EXPECT_EQ(result->quality.verdict, Verdict::Good) << seed << "\n" << findings;
+    }
+}
+
 TEST(Identify, oneCurrentWithItsCoastDownsDecidesAllRatios) {
     for (const SweepDirections directions : {SweepDirections::Both, SweepDirections::Reverse}) {
         const auto device = open("sim:htm?seed=2");
@@ -236,7 +249,7 @@ TEST(Identify, aLongRecordingCanBeGivenUpAtEveryStepOfTheFit) {
         questions = 0;
         return identifyRecording(live->recording, withInertia(5.5e-4), [&questions, last]() -> Result<void> {
             return ++questions < last ? Result<void>()
-                                      : failure(ErrorCode::Interrupted, "ended by the user", {});
+                                      : failure(ErrorCode::Interrupted, "cancelled by the user", {});
         });
     };
     ASSERT_TRUE(givenUpAt(1 << 30));

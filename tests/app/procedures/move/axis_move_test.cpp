@@ -204,10 +204,10 @@ TEST(AxisMove, refusesWhatIsNotClearBeforeAnythingMoves) {
     ASSERT_NE(device, nullptr);
     for (const Mistake& each :
          {Mistake{"", "step,amplitude_um=1", ErrorCode::Usage, "several axes"},
-          Mistake{"all", "step,amplitude_um=1", ErrorCode::Usage, "one axis"},
+          Mistake{"all", "step,amplitude_um=1", ErrorCode::Usage, "one at a time"},
           Mistake{"z", "step,amplitude_um=1", ErrorCode::UnknownName, "no axis 'z'"},
-          Mistake{"x", "step,amplitude_deg=1", ErrorCode::InvalidInput, "axis x moves along a line"},
-          Mistake{"phi", "step,amplitude_um=1", ErrorCode::InvalidInput, "axis phi turns"},
+          Mistake{"x", "step,amplitude_deg=1", ErrorCode::InvalidInput, "axis x is linear"},
+          Mistake{"phi", "step,amplitude_um=1", ErrorCode::InvalidInput, "axis phi is rotary"},
           Mistake{"x", "step,amplitude_mm=60", ErrorCode::OutOfRange, "window of 0.05 m of axis x"}}) {
         const auto result = runMove(*device, moveOf(each.axis, each.reference, 0.2), {});
         ASSERT_FALSE(result) << each.axis << " " << each.reference;

@@ -46,10 +46,10 @@ double largestDifference_rad(const std::vector<double>& one, const std::vector<d
     return largest;
 }
 
-double insideShare(const MotionBand& band, const std::vector<double>& angle_rad) {
+double insideShare(const MotionEnvelope& band, const std::vector<double>& angle_rad) {
     std::size_t inside = 0;
     for (std::size_t i = 0; i < band.time_s.size(); ++i) {
-        const double seen = angle_rad[std::min(angle_rad.size() - 1, i * MotionBandStride)];
+        const double seen = angle_rad[std::min(angle_rad.size() - 1, i * MotionEnvelopeStride)];
         inside += seen >= band.angle_rad.p5[i] && seen <= band.angle_rad.p95[i] ? 1U : 0U;
     }
     return static_cast<double>(inside) / static_cast<double>(band.time_s.size());
@@ -145,7 +145,7 @@ TEST(WhatIf, nothingFollowsFromARecordThatTheMotorDoesNotExplain) {
     const auto withheld = whatIf(heavier, lawOf("bandwidth", 8.0));
     ASSERT_FALSE(withheld);
     EXPECT_EQ(withheld.error().code, ErrorCode::Refused);
-    EXPECT_NE(withheld.error().message.find("does not explain"), std::string::npos);
+    EXPECT_NE(withheld.error().message.find("does not match"), std::string::npos);
     // Nor from one of other gains than those that are said to have run.
     const WhatIfBasis other = basisOf(record("seed=1", lawOf("bandwidth", 3.0)), ran);
     EXPECT_EQ(other.quality.verdict, Verdict::Refused);
@@ -173,15 +173,15 @@ TEST(WhatIf, unstableGainsHaveNoMotion) {
 TEST(WhatIf, replaysALawWithFilters) {
     const control::PositionLaw ran = lawOf("recommended");
     const WhatIfBasis basis = basisOf(record("seed=2", ran), ran);
-    control::ShapedLaw shaped;
-    shaped.gains = ran.gains;
-    shaped.filters = {control::SectionFilter{}};
-    const auto same = whatIf(basis, {ran, shaped});
+    control::FilteredLaw law;
+    law.gains = ran.gains;
+    law.filters = {control::SectionFilter{}};
+    const auto same = whatIf(basis, {ran, law});
     const auto plain = whatIf(basis, ran);
     ASSERT_TRUE(same && plain);
     EXPECT_EQ(same->angle_rad, plain->angle_rad);
-    shaped.filters = {control::LowPassFilter{250.0, 1}};
-    const auto filtered = whatIfWithBand(basis, {ran, shaped});
+    law.filters = {control::LowPassFilter{250.0, 1}};
+    const auto filtered = whatIfWithBand(basis, {ran, law});
     ASSERT_TRUE(filtered) << filtered.error().message;
     EXPECT_NE(filtered->angle_rad, plain->angle_rad);
     EXPECT_TRUE(filtered->band);

@@ -79,7 +79,7 @@ TEST(Record, noFileIsBegunBeforeTheRecordingIsAllowed) {
     ProcedureObserver observer;
     observer.onState = [&last](ProcedureState state) { last = state; };
     observer.checkAbort = [&last]() -> Result<void> {
-        return last == ProcedureState::Record ? failure(ErrorCode::Interrupted, "ended by the user", "")
+        return last == ProcedureState::Record ? failure(ErrorCode::Interrupted, "cancelled by the user", "")
                                               : Result<void>();
     };
     bool hasBegun = false;

@@ -200,10 +200,11 @@ TEST(RelayExperiment, isJudgedRightOrRefused) {
               Judged(Verdict::Doubtful, "disagrees_with_model"));
     RelayRun torn{good.config, good.plan, Period_s, 0, 100, 400, good.recording};
     torn.recording.time_s[399] += 0.05;
-    torn.rowLoss = {"the line damaged 2 % of the frames", "shorten the cable"};
+    torn.rowLoss = {"2 % of the frames were damaged on the line", "shorten the cable"};
     const Error error = estimateRelay(std::move(torn)).error();
     EXPECT_EQ(error.code, ErrorCode::Refused);
-    EXPECT_NE(error.message.find("the line damaged 2 % of the frames"), std::string::npos) << error.message;
+    EXPECT_NE(error.message.find("2 % of the frames were damaged on the line"), std::string::npos)
+        << error.message;
     EXPECT_EQ(error.hint, "shorten the cable");
 }
 

@@ -93,9 +93,9 @@ TEST(StepHorizon, whatCannotBeSeenToItsPeakIsWithheld) {
 TEST(StepHorizon, theLargestCurrentIsThatOfTheWholeStep) {
     const auto judged = judgeLaw(motor(10.0), gains(40.0, 60.0, 1.4), TuneConfig{});
     ASSERT_TRUE(judged) << judged.error().message;
-    ASSERT_TRUE(judged->proof);
-    EXPECT_NEAR(judged->proof->peakCurrent_A, 180.89, 0.02);
-    EXPECT_NEAR(judged->proof->largestStep_rad, 4.0 / 180.89, 1e-5);
+    ASSERT_TRUE(judged->assessment);
+    EXPECT_NEAR(judged->assessment->peakCurrent_A, 180.89, 0.02);
+    EXPECT_NEAR(judged->assessment->largestStep_rad, 4.0 / 180.89, 1e-5);
 }
 
 // Without an integral the rotor creeps towards load/K_P from below: that is the most.

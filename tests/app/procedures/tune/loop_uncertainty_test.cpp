@@ -113,14 +113,15 @@ TEST(LoopUncertainty, anUnstableLoopHasABandOverFrequencyAndNoStep) {
     EXPECT_FALSE(uncertainty->step.has_value());
 }
 
-// With nothing shaped the shaped law has the bands of the board's, with a filter others around its own curve.
+// With nothing filtered the filtered law has the bands of the board's, with a filter others around its own
+// curve.
 TEST(LoopUncertainty, isThatOfTheLawWhicheverItIs) {
     const LoopConditions conditions{{0.01, 0}, 4.0, {}};
-    control::ShapedLaw shaped;
-    shaped.gains = recommended().gains;
-    const LoopLaw same{recommended(), shaped};
-    shaped.filters = {control::LowPassFilter{200.0, 1}};
-    const LoopLaw filtered{recommended(), shaped};
+    control::FilteredLaw law;
+    law.gains = recommended().gains;
+    const LoopLaw same{recommended(), law};
+    law.filters = {control::LowPassFilter{200.0, 1}};
+    const LoopLaw filtered{recommended(), law};
     const auto predicted = runAnalysis(uncertainMotor(), filtered, conditions);
     const auto board = runAnalysis(uncertainMotor(), recommended(), conditions);
     ASSERT_TRUE(predicted && board);

@@ -17,13 +17,13 @@ LoopLaw filtered() {
     plain.gains.proportional = 12.0;
     plain.gains.integral = 20.0;
     plain.gains.derivative = 0.8;
-    control::ShapedLaw shaped;
-    shaped.gains = plain.gains;
-    shaped.gains.filter_s = 0.004;
-    shaped.proportionalWeight = 0.7;
-    shaped.derivativeWeight = 0.25;
-    shaped.filters = {control::NotchFilter{188.5, 0.2, 0.4}, control::LowPassFilter{250.0, 1}};
-    return {plain, shaped};
+    control::FilteredLaw filtered;
+    filtered.gains = plain.gains;
+    filtered.gains.filter_s = 0.004;
+    filtered.proportionalWeight = 0.7;
+    filtered.derivativeWeight = 0.25;
+    filtered.filters = {control::NotchFilter{188.5, 0.2, 0.4}, control::LowPassFilter{250.0, 1}};
+    return {plain, filtered};
 }
 
 LoopLaw plain() {
@@ -55,16 +55,16 @@ TEST(PositionLawParameters, areALawAndBackAgain) {
     const auto device = openMotor("");
     write(*device, filtered());
     const auto law = loopLawFromParameters(valuesOf(*device), 0.01);
-    ASSERT_TRUE(law && law->shaped) << (law ? "plain" : law.error().message);
-    EXPECT_EQ(law->shaped->filters, filtered().shaped->filters);
-    EXPECT_FLOAT_EQ(static_cast<float>(law->shaped->proportionalWeight), 0.7F);
-    EXPECT_FLOAT_EQ(static_cast<float>(law->shaped->derivativeWeight), 0.25F);
-    EXPECT_FLOAT_EQ(static_cast<float>(*law->shaped->gains.filter_s), 0.004F);
+    ASSERT_TRUE(law && law->filtered) << (law ? "plain" : law.error().message);
+    EXPECT_EQ(law->filtered->filters, filtered().filtered->filters);
+    EXPECT_FLOAT_EQ(static_cast<float>(law->filtered->proportionalWeight), 0.7F);
+    EXPECT_FLOAT_EQ(static_cast<float>(law->filtered->derivativeWeight), 0.25F);
+    EXPECT_FLOAT_EQ(static_cast<float>(*law->filtered->gains.filter_s), 0.004F);
     EXPECT_TRUE(isSameLaw(*law, filtered(), 0.01));
     EXPECT_FALSE(isSameLaw(*law, plain(), 0.01));
     const auto running = readPositionLaw(*device);
     ASSERT_TRUE(running);
-    EXPECT_EQ(control::shapedLaw(*running).filters, filtered().shaped->filters);
+    EXPECT_EQ(control::filteredLaw(*running).filters, filtered().filtered->filters);
 }
 
 TEST(PositionLawParameters, aPlainLawTakesTheFiltersOut) {
@@ -74,7 +74,7 @@ TEST(PositionLawParameters, aPlainLawTakesTheFiltersOut) {
     write(*device, plain());
     const auto law = loopLawFromParameters(valuesOf(*device), 0.01);
     ASSERT_TRUE(law);
-    EXPECT_FALSE(law->shaped);
+    EXPECT_FALSE(law->filtered);
     for (const char* name :
          {"gain.reference_weight", "gain.derivative_filter", "filter.1.b0", "filter.1.a1"}) {
         EXPECT_EQ(valuesOf(*device).at(name), before.at(name)) << name;
@@ -117,11 +117,10 @@ TEST(PositionLawParameters, aBoardWithoutFiltersRefusesThemAndNamesThem) {
     EXPECT_TRUE(spec.hasReferenceWeight);
     EXPECT_FALSE(spec.hasDerivativeFilter);
     LoopLaw law = filtered();
-    EXPECT_NE(lawForDevice(law, small).error().message.find("no filter on the derivative"),
-              std::string::npos);
-    law.shaped->gains.filter_s.reset();
+    EXPECT_NE(lawForDevice(law, small).error().message.find("no derivative filter"), std::string::npos);
+    law.filtered->gains.filter_s.reset();
     EXPECT_TRUE(lawForDevice(law, small));
-    law.shaped->filters.push_back(control::LowPassFilter{200.0, 1});
+    law.filtered->filters.push_back(control::LowPassFilter{200.0, 1});
     EXPECT_NE(lawForDevice(law, small).error().message.find("more than 2 filters"), std::string::npos);
     EXPECT_TRUE(lawForDevice(plain(), small));
 }

@@ -1,3 +1,4 @@
+#include "app/procedures/base/doubtful_source.h"
 #include "app/procedures/tune/tune.h"
 #include "control/base/units.h"
 #include "devices/open/open_device.h"
@@ -52,11 +53,11 @@ bool has(const std::vector<Finding>& findings, std::string_view code) {
 // Who draws, compares or writes a result finds it there: proofs take milliseconds, and a window has none.
 TEST(Tune, aResultCarriesTheProofOfItsDesign) {
     const auto result = runTune(published(), method("recommended"));
-    ASSERT_TRUE(result && result->proof);
-    const auto proof = control::proveDesign(result->plant, result->law.gains, result->conditions.timing,
-                                            result->conditions.currentLimit_A);
-    EXPECT_EQ(result->proof->noiseGain_A_per_rad, proof->noiseGain_A_per_rad);
-    EXPECT_EQ(result->proof->peaks.Ms_ratio, proof->peaks.Ms_ratio);
+    ASSERT_TRUE(result && result->assessment);
+    const auto assessment = control::assessDesign(result->plant, result->law.gains, result->conditions.timing,
+                                                  result->conditions.currentLimit_A);
+    EXPECT_EQ(result->assessment->noiseGain_A_per_rad, assessment->noiseGain_A_per_rad);
+    EXPECT_EQ(result->assessment->peaks.Ms_ratio, assessment->peaks.Ms_ratio);
 }
 
 // help: htm-theory.md 8.4
@@ -366,6 +367,24 @@ TEST(Law, ofEveryMethodIsTakenByTheSimulatedBoardAndReadBack) {
                 << names[i];
         }
     }
+}
+
+TEST(Tune, aLoopThatRestsOnADoubtfulMeasurementIsDoubtful) {
+    EXPECT_EQ(runTune(published(), method("recommended"))->quality.verdict, Verdict::Good);
+    const DataQuality doubtful{Verdict::Doubtful, {{"friction_beyond_model", "m", "h"}}};
+    MotorEstimate motor = published();
+    motor.doubts = doubtsOfModel(doubtful);
+    const auto byModel = runTune(motor, method("recommended"));
+    ASSERT_TRUE(byModel) << byModel.error().message;
+    EXPECT_EQ(byModel->quality.verdict, Verdict::Doubtful);
+    EXPECT_TRUE(has(byModel->quality.findings, "doubtful_model"));
+    EXPECT_EQ(byModel->predicted.quality.verdict, Verdict::Doubtful);
+    TuneConfig calibrated = method("recommended");
+    calibrated.conditions.doubts = doubtsOfCalibration(doubtful);
+    const auto byCalibration = runTune(published(), calibrated);
+    ASSERT_TRUE(byCalibration) << byCalibration.error().message;
+    EXPECT_EQ(byCalibration->quality.verdict, Verdict::Doubtful);
+    EXPECT_TRUE(has(byCalibration->quality.findings, "doubtful_calibration"));
 }
 
 } // namespace

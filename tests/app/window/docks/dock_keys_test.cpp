@@ -27,8 +27,13 @@ protected:
     void openAt(const char* id) {
         open();
         window->resize(2000, 1000); // no panel is as narrow as it can be
-        QTest::qWait(50);           // its parts get their room
+        for (const char* each : {"signals", "parameters", "record", "drive", "derived", "notes", "log"}) {
+            window->docks().raise(each);
+        }
+        window->docks().raise("monitor");
+        settle(); // its parts get their room
         QApplication::setActiveWindow(window.get());
+        window->docks().raise(id);
         enter(id);
     }
 
@@ -90,10 +95,10 @@ protected:
 };
 
 TEST_F(DockKeysTest, aPanelFloatsWithItsStopAndComesBackToItsPlace) {
-    openAt("devices");
-    ASSERT_EQ(dock("devices").dockAreaWidget()->openDockWidgetsCount(), 1); // alone in its area
+    openAt("signals");
+    ASSERT_EQ(dock("signals").dockAreaWidget()->openDockWidgetsCount(), 1); // alone in its area
     ASSERT_GT(dock("drive").dockAreaWidget()->openDockWidgetsCount(), 1);   // among others
-    for (const char* id : {"devices", "signals", "drive", "monitor", "notes"}) {
+    for (const char* id : {"signals", "drive", "monitor", "notes"}) {
         dock(id).setAsCurrentTab();
         expectThereAndBack(id);
     }
@@ -114,21 +119,19 @@ TEST_F(DockKeysTest, aPanelThatIsAfloatSinceTheLastSessionComesBackToItsFirstPla
 }
 
 TEST_F(DockKeysTest, aPanelMovesBehindTheNextOneOnEachSide) {
-    openAt("devices");
-    press(Qt::Key_Down);
-    EXPECT_TRUE(areTogether("devices", "signals"));
-    EXPECT_EQ(dock("devices").dockAreaWidget()->currentDockWidget(), &dock("devices"));
-    EXPECT_TRUE(hasFocus("devices"));
+    openAt("signals");
     press(Qt::Key_Right);
-    EXPECT_TRUE(areTogether("devices", "monitor"));
+    EXPECT_TRUE(areTogether("signals", "monitor"));
+    EXPECT_EQ(dock("signals").dockAreaWidget()->currentDockWidget(), &dock("signals"));
+    EXPECT_TRUE(hasFocus("signals"));
     press(Qt::Key_Right);
-    EXPECT_TRUE(areTogether("devices", "drive"));
+    EXPECT_TRUE(areTogether("signals", "drive"));
     press(Qt::Key_Left);
     press(Qt::Key_Down);
-    EXPECT_TRUE(areTogether("devices", "log"));
+    EXPECT_TRUE(areTogether("signals", "log"));
     press(Qt::Key_Up);
-    EXPECT_TRUE(hasFocus("devices"));
-    EXPECT_FALSE(areTogether("devices", "log"));
+    EXPECT_TRUE(hasFocus("signals"));
+    EXPECT_FALSE(areTogether("signals", "log"));
 }
 
 TEST_F(DockKeysTest, whereNoPanelIsNextItGoesAlongTheEdgeAndStaysThere) {
@@ -190,7 +193,7 @@ TEST_F(DockKeysTest, theMenuNamesThePanelAndEveryKeyInItsTooltips) {
     enter("drive");
     QMenu* arrange = nullptr;
     for (QMenu* menu : window->menuBar()->findChildren<QMenu*>()) {
-        arrange = menu->title().startsWith("&Arrange") ? menu : arrange;
+        arrange = menu->title().startsWith("P&anel layout") ? menu : arrange;
     }
     ASSERT_NE(arrange, nullptr);
     Q_EMIT arrange->aboutToShow();
@@ -204,13 +207,31 @@ TEST_F(DockKeysTest, theMenuNamesThePanelAndEveryKeyInItsTooltips) {
             ++keys;
         }
     }
-    EXPECT_EQ(keys, 9);
+    EXPECT_EQ(keys, 11);
     EXPECT_TRUE(arrange->toolTipsVisible());
     arrange->actions().first()->trigger();
     EXPECT_TRUE(dock("drive").isFloating());
     ASSERT_TRUE(wait([&] { return hasFocus("drive"); }));
     Q_EMIT arrange->aboutToShow();
     EXPECT_EQ(arrange->actions().first()->text(), "Dock it &back");
+}
+
+TEST_F(DockKeysTest, theTabsOfAnAreaAreGoneThroughByKeyWithTheFocus) {
+    openAt("drive");
+    const ads::CDockAreaWidget& area = *dock("drive").dockAreaWidget();
+    const QList<ads::CDockWidget*> tabs = area.openedDockWidgets();
+    ASSERT_GE(tabs.size(), 3);
+    const int begin = static_cast<int>(tabs.indexOf(&dock("drive")));
+    const int count = static_cast<int>(tabs.size());
+    for (int step = 1; step <= count; ++step) {
+        press(Qt::Key_PageDown, Qt::ControlModifier);
+        ads::CDockWidget* wanted = tabs[(begin + step) % count];
+        EXPECT_EQ(area.currentDockWidget(), wanted);
+        EXPECT_TRUE(wanted->isAncestorOf(QApplication::focusWidget())) << step;
+    }
+    press(Qt::Key_PageUp, Qt::ControlModifier);
+    EXPECT_EQ(area.currentDockWidget(), tabs[(begin - 1 + count) % count]);
+    EXPECT_EQ(area.openedDockWidgets(), tabs) << "nothing is closed";
 }
 
 TEST_F(DockKeysTest, ofAPanelThatWasClosedTheKeysDoNothing) {

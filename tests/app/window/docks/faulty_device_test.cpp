@@ -103,14 +103,14 @@ TEST_F(FaultyDeviceTest, aSecondReferenceIsRefusedWhereAnOlderFirmwareWouldLeap)
     run();
     const double held_rad = window->bench().history().latest("reference")->value;
     button("Start")->click();
-    EXPECT_TRUE(message->message().text.contains("would leap")) << message->message().text.toStdString();
+    EXPECT_TRUE(message->message().text.contains("would jump")) << message->message().text.toStdString();
     EXPECT_FALSE(message->message().remedy.isEmpty());
     QTest::qWait(100);
     EXPECT_EQ(window->bench().history().latest("reference")->value, held_rad);
     button("Disarm")->click(); // as the hint says
     arm();
     run();
-    EXPECT_FALSE(message->isVisibleTo(drive) && message->message().text.contains("would leap"));
+    EXPECT_FALSE(message->isVisibleTo(drive) && message->message().text.contains("would jump"));
 }
 
 TEST_F(FaultyDeviceTest, aBoardThatVanishesWhileArmedAndRecordingIsSaidInEveryPerspective) {

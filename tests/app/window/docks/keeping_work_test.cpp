@@ -1,5 +1,5 @@
 #include "app/window/docks/dock_layout.h"
-#include "app/window/project/unkept_bar.h"
+#include "app/window/project/unsaved_bar.h"
 #include "app/workspaces/device/log_panel.h"
 #include "app/workspaces/device/notes_panel.h"
 #include "tests/app/window/window_test.h"
@@ -93,12 +93,12 @@ protected:
         window->project().finishWriting();
         EXPECT_EQ(notes(), "typed"); // it stays open
         EXPECT_EQ(window->project().path(), file());
-        EXPECT_TRUE(window->findChild<UnkeptBar*>()->isVisible());
+        EXPECT_TRUE(window->findChild<UnsavedBar*>()->isVisible());
     }
 
     /// Of what is offered where a project cannot be left.
     void choose(const char* words) {
-        for (auto* button : window->findChild<UnkeptBar*>()->findChildren<QPushButton*>()) {
+        for (auto* button : window->findChild<UnsavedBar*>()->findChildren<QPushButton*>()) {
             if (button->text() == QString::fromUtf8(words)) {
                 QTest::mouseClick(button, Qt::LeftButton);
             }
@@ -187,13 +187,13 @@ TEST_F(KeepingWorkTest, noProjectIsReadWhileTheActuatorIsArmed) {
     arm();
     window->openProject(path("other.toml"));
     EXPECT_EQ(window->project().path(), file());
-    EXPECT_NE(saying("No project is opened while the actuator is armed"), nullptr);
+    EXPECT_NE(saying("A project cannot be opened while the actuator is armed"), nullptr);
     QTest::keyClick(window.get(), Qt::Key_Escape);
     ASSERT_TRUE(wait([&] { return !session().report().board.isArmed; }));
     window->openProject(path("other.toml"));
     window->project().finishWriting();
     EXPECT_EQ(window->project().path(), file("other.toml"));
-    EXPECT_EQ(saying("No project is opened"), nullptr);
+    EXPECT_EQ(saying("A project cannot be opened"), nullptr);
 }
 
 TEST_F(KeepingWorkTest, closingAnywayIsTheUsersChoice) {
@@ -214,7 +214,7 @@ TEST_F(KeepingWorkTest, aProjectThatCannotBeKeptStaysOpenWhenANewOneIsWanted) {
     window->project().finishWriting();
     EXPECT_EQ(notes(), "typed"); // nothing is lost, and it is still this project
     EXPECT_EQ(window->project().path(), file());
-    auto* bar = window->findChild<UnkeptBar*>();
+    auto* bar = window->findChild<UnsavedBar*>();
     ASSERT_TRUE(bar->isVisible());
     choose("Try again"); // the disk is still full
     EXPECT_EQ(notes(), "typed");
@@ -268,7 +268,7 @@ TEST_F(KeepingWorkTest, aWindowThatWasOnlyLookedAtLeavesNothingToRecover) {
     open();
     window->recoverUnnamed();
     for (const auto* bar : window->findChildren<widgets::MessageBar*>()) {
-        EXPECT_FALSE(bar->message().text.contains("open again"));
+        EXPECT_FALSE(bar->message().text.contains("Restored"));
     }
 }
 
@@ -289,14 +289,33 @@ TEST_F(KeepingWorkTest, theSameForAProjectThatWasOnlyLookedAt) {
 
 TEST_F(KeepingWorkTest, thePanelsOfAWindowWithoutAProjectAreWhereTheyWereLeft) {
     const auto isNotesClosed = [this] { return window->docks().docks().value("notes")->isClosed(); };
-    ASSERT_FALSE(isNotesClosed());
-    window->docks().docks().value("notes")->closeDockWidget();
+    ASSERT_TRUE(isNotesClosed());
+    window->docks().raise("notes");
     EXPECT_TRUE(window->close());
     window = std::make_unique<MainWindow>(loadPreferences());
     window->furnish();
     window->show();
     window->recoverUnnamed();
+    EXPECT_FALSE(isNotesClosed());
+}
+
+TEST_F(KeepingWorkTest, aResetOfTheArrangementIsForGood) {
+    const auto again = [this] {
+        EXPECT_TRUE(window->close());
+        window = std::make_unique<MainWindow>(loadPreferences());
+        window->furnish();
+        window->show();
+        window->recoverUnnamed();
+    };
+    const auto isNotesClosed = [this] { return window->docks().docks().value("notes")->isClosed(); };
+    window->docks().raise("notes");
+    window->docks().docks().value("monitor")->toggleView(false);
+    again();
+    ASSERT_FALSE(isNotesClosed());
+    window->docks().reset();
+    again();
     EXPECT_TRUE(isNotesClosed());
+    EXPECT_FALSE(window->docks().docks().value("monitor")->isClosed());
 }
 
 } // namespace

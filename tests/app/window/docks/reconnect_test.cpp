@@ -68,7 +68,7 @@ protected:
             if (bar->isVisibleTo(window.get()) && bar->message().text.contains("onnection lost")) {
                 text = bar->message().text;
             }
-            if (bar->isVisibleTo(window.get()) && bar->message().text.startsWith("Back after")) {
+            if (bar->isVisibleTo(window.get()) && bar->message().text.startsWith("Reconnected after")) {
                 text = bar->message().text;
             }
         }
@@ -127,7 +127,7 @@ TEST_F(WindowReconnectTest, recordsOnWithAMarkedGapAndIsNotArmed) {
     EXPECT_TRUE(strip().stateText().contains("reconnecting")) << strip().stateText().toStdString();
     EXPECT_TRUE(notice().startsWith("Connection lost")) << notice().toStdString();
     EXPECT_TRUE(recording.isRecording());
-    EXPECT_TRUE(remedy().contains("The recording goes on with a gap.")) << remedy().toStdString();
+    EXPECT_TRUE(remedy().contains("The recording continues with a gap.")) << remedy().toStdString();
     EXPECT_FALSE(session().report().board.isArmed);
     // Long against what a busy machine lets its clocks wait.
     ASSERT_TRUE(wait([&, since = std::chrono::steady_clock::now()] {
@@ -137,7 +137,7 @@ TEST_F(WindowReconnectTest, recordsOnWithAMarkedGapAndIsNotArmed) {
     const auto rows = recording.status().rows;
     ASSERT_TRUE(wait([&] { return recording.status().rows > rows + 20; }));
     EXPECT_FALSE(session().report().board.isArmed);
-    EXPECT_TRUE(wait([&] { return notice().startsWith("Back after"); })) << notice().toStdString();
+    EXPECT_TRUE(wait([&] { return notice().startsWith("Reconnected after"); })) << notice().toStdString();
     recording.stop();
     ASSERT_TRUE(wait([&] { return !recording.isRecording(); }));
     const auto file = devices::readRecordingFile(recording.path().toStdString());
@@ -184,16 +184,16 @@ TEST_F(WindowReconnectTest, valuesThatDifferAreListedAndWrittenBackOnlyByTheUser
     plugIn();
     ASSERT_TRUE(wait([&] { return window->bench().differences().size() == 1; }));
     EXPECT_EQ(window->bench().deviceValue("gain.kp"), before + 1.5); // the screen tells what is on the device
-    EXPECT_TRUE(notice().contains("differ from before: 1")) << notice().toStdString();
-    auto* list = named<QLabel>("Values that differ from before");
+    EXPECT_TRUE(notice().contains("Changed values: 1")) << notice().toStdString();
+    auto* list = named<QLabel>("Changed values");
     ASSERT_NE(list, nullptr);
     EXPECT_TRUE(list->isVisible());
     EXPECT_TRUE(list->text().startsWith("gain.kp: ")) << list->text().toStdString();
-    QTest::mouseClick(button("Write them back"), Qt::LeftButton);
+    QTest::mouseClick(button("Write old values"), Qt::LeftButton);
     ASSERT_TRUE(wait([&] { return window->bench().differences().empty(); }));
     EXPECT_EQ(window->bench().deviceValue("gain.kp"), before);
     EXPECT_FALSE(list->isVisible());
-    EXPECT_EQ(remedy(), "The values of before were written back.");
+    EXPECT_EQ(remedy(), "Old values written.");
 }
 
 TEST_F(WindowReconnectTest, thatItIsBackDisarmedIsNotSaidOnceItIsArmed) {
@@ -201,8 +201,8 @@ TEST_F(WindowReconnectTest, thatItIsBackDisarmedIsNotSaidOnceItIsArmed) {
     unplug();
     EXPECT_FALSE(remedy().contains("recording")) << remedy().toStdString(); // none runs
     plugIn();
-    ASSERT_TRUE(wait([&] { return notice().startsWith("Back after"); }));
-    EXPECT_EQ(remedy(), "Its values are those of before.");
+    ASSERT_TRUE(wait([&] { return notice().startsWith("Reconnected after"); }));
+    EXPECT_EQ(remedy(), "Its values are unchanged.");
     arm();
     EXPECT_TRUE(wait([&] { return notice().isEmpty(); })) << notice().toStdString();
 }
@@ -218,7 +218,7 @@ TEST_F(WindowReconnectTest, aDifferenceThatWasDecidedElsewhereIsListedNoMore) {
     window->bench().writeValues({{"gain.kp", before + 3.0}}, [&](const Result<void>&) { isWritten = true; });
     ASSERT_TRUE(wait([&] { return isWritten; }));
     EXPECT_TRUE(window->bench().differences().empty());
-    EXPECT_FALSE(named<QLabel>("Values that differ from before")->isVisible());
+    EXPECT_FALSE(named<QLabel>("Changed values")->isVisible());
 }
 
 TEST_F(WindowReconnectTest, differencesThatNobodyDecidedOutliveTheNextLoss) {
@@ -232,7 +232,7 @@ TEST_F(WindowReconnectTest, differencesThatNobodyDecidedOutliveTheNextLoss) {
     plugIn();
     ASSERT_TRUE(wait([&] { return window->bench().differences().size() == 1; }));
     EXPECT_EQ(window->bench().differences()[0].before, before);
-    QTest::mouseClick(button("Keep the device's"), Qt::LeftButton);
+    QTest::mouseClick(button("Keep device values"), Qt::LeftButton);
     EXPECT_TRUE(window->bench().differences().empty());
 }
 
@@ -316,7 +316,7 @@ TEST_F(WindowReconnectTest, disconnectEndsTheSearchAndTheDeviceIsOfferedFirst) {
     unplug();
     session().disconnectDevice();
     EXPECT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
-    auto* list = window->findChild<QListWidget*>();
+    auto* list = window->docks().panel("devices")->findChild<QListWidget*>();
     ASSERT_NE(list, nullptr);
     EXPECT_EQ(list->item(0)->data(Qt::UserRole).toString().toStdString(), line.uri());
 }

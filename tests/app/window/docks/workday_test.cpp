@@ -1,7 +1,6 @@
 #include "app/window/docks/dock_layout.h"
 #include "app/workbench/drive_control.h"
 #include "app/workspaces/device/device_panel.h"
-#include "app/workspaces/drive/drive_panel.h"
 #include "app/workspaces/monitor/monitor_panel.h"
 #include "devices/formats/recording_file.h"
 #include "tests/app/window/window_test.h"
@@ -45,7 +44,8 @@ TEST_F(WorkdayTest, connectsWatchesDrivesRecordsAndStops) {
     ASSERT_TRUE(wait([&] { return window->bench().recording().isRecording(); }));
     key(Qt::Key_A, Qt::ControlModifier | Qt::ShiftModifier);
     ASSERT_TRUE(wait([&] { return isArmed() && latest("status") > 0.5; }));
-    const auto buttons = window->findChild<DrivePanel*>()->findChildren<QAbstractButton*>();
+    key(Qt::Key_F7, Qt::NoModifier); // Drive
+    const auto buttons = window->docks().panel("drive")->findChildren<QAbstractButton*>();
     const auto start = std::find_if(buttons.begin(), buttons.end(),
                                     [](const QAbstractButton* button) { return button->text() == "Start"; });
     ASSERT_NE(start, buttons.end());
@@ -96,7 +96,7 @@ protected:
         tabTo("Start identification");
         press(Qt::Key_Space);
         ASSERT_TRUE(QTest::qWaitFor([&] { return window->bench().identification().has_value(); }, Fit_ms));
-        ASSERT_TRUE(wait([&] { return focusedText() == "Tune with this"; }));
+        ASSERT_TRUE(wait([&] { return focusedText() == "Tune with this model"; }));
         press(Qt::Key_Space);
         ASSERT_TRUE(wait([&] { return window->bench().design().has_value(); }));
         EXPECT_EQ(window->docks().perspective(), Perspective::Tune);

@@ -109,7 +109,7 @@ TEST_F(HelpWindowTest, aPageInEnglishOnlySaysSoInTheLanguageOfTheWindow) {
     const QString title = firstLine(HelpWindow("protocol.md"));
     speak(application, "de");
     const HelpWindow help("protocol.md");
-    EXPECT_EQ(firstLine(help), "Diese Seite gibt es nur auf Englisch.");
+    EXPECT_EQ(firstLine(help), "Diese Seite ist nur auf Englisch verfügbar.");
     EXPECT_EQ(textOf(help).document()->firstBlock().next().text(), title);
 }
 
@@ -117,7 +117,7 @@ TEST_F(HelpWindowTest, linksLeadOnInTheLanguageAndIntoPagesThatAreInEnglishOnly)
     speak(application, "de");
     HelpWindow help("index.md");
     Q_EMIT textOf(help).anchorClicked(QUrl("../command-line.md"));
-    EXPECT_EQ(firstLine(help), "Diese Seite gibt es nur auf Englisch.");
+    EXPECT_EQ(firstLine(help), "Diese Seite ist nur auf Englisch verfügbar.");
     Q_EMIT textOf(help).anchorClicked(QUrl("projects.md#mehrere-fenster")); // as the page itself calls it
     EXPECT_EQ(place(help), "Mehrere Fenster");
     Q_EMIT textOf(help).anchorClicked(QUrl("projects.md#nothing-is-lost")); // as an English page calls it

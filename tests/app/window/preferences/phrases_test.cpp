@@ -1,6 +1,6 @@
 #include "app/documents/presets.h"
 #include "app/window/preferences/language.h"
-#include "app/workbench/fault_words.h"
+#include "app/workbench/fault_text.h"
 #include "control/base/units.h"
 #include "control/design/design_methods.h"
 #include "devices/open/open_device.h"
@@ -39,6 +39,9 @@ protected:
 
 TEST_P(PhrasesTest, haveEveryWordOfTheSimulatedBoardsCatalogues) {
     for (const devices::SimulatedModel& model : devices::simulatedModels()) {
+        if (model.name == "toy" || model.name == "sense") {
+            continue; // other tests of this program register them, without translations
+        }
         const auto device = devices::openDevice("sim:" + model.name, {});
         ASSERT_TRUE(device) << model.name;
         expectKnown(model.title, model.name);

@@ -126,7 +126,7 @@ TEST_F(PreferencesDialogTest, theHistorysRoomOnTheDiskCountsAtOnceAndIsKept) {
     inDialog([](PreferencesDialog& dialog) {
         QSpinBox* room = nullptr;
         for (auto* each : dialog.findChildren<QSpinBox*>()) {
-            room = each->accessibleName() == "History on the disk, at most" ? each : room;
+            room = each->accessibleName() == "Maximum history on disk" ? each : room;
         }
         ASSERT_NE(room, nullptr);
         QStringList labels;
@@ -158,7 +158,7 @@ TEST_F(PreferencesDialogTest, aWrongNameMaskIsRefusedInPlaceAndAGoodOneNamesTheN
         EXPECT_TRUE(example->text().startsWith("e.g. sim-htm-1_20")) << example->text().toStdString();
         mask->setText("runs/{number}");
         EXPECT_FALSE(use->isEnabled());
-        EXPECT_TRUE(example->text().startsWith("name mask, character 5: a name has no folder in it"))
+        EXPECT_TRUE(example->text().startsWith("name mask, character 5: a name cannot contain a folder"))
             << example->text().toStdString();
         mask->setText("bench_{number}");
         EXPECT_TRUE(use->isEnabled());
@@ -175,17 +175,17 @@ TEST_F(PreferencesDialogTest, whatWouldGoIsSaidBeforeItCanBeSwitchedOn) {
     window->bench().recording().setFolder(folder.path());
     inDialog([&](PreferencesDialog& dialog) {
         auto* use = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
-        auto* plan = labelled(dialog, "Recordings that would go now");
+        auto* plan = labelled(dialog, "Recordings to be deleted now");
         ASSERT_NE(plan, nullptr);
-        EXPECT_EQ(plan->text(), "Nothing is ever removed.");
+        EXPECT_EQ(plan->text(), "Currently never.");
         for (auto* each : dialog.findChildren<QCheckBox*>()) {
-            if (each->accessibleName() == "Keep recordings for a time") {
+            if (each->accessibleName() == "Delete recordings by age") {
                 each->click();
             }
         }
         EXPECT_FALSE(use->isEnabled()) << "not before it was looked";
         EXPECT_TRUE(QTest::qWaitFor([&] { return use->isEnabled(); }));
-        EXPECT_TRUE(plan->text().startsWith("With OK nothing goes now from ")) << plan->text().toStdString();
+        EXPECT_TRUE(plan->text().startsWith("OK deletes nothing from ")) << plan->text().toStdString();
         press(dialog, QDialogButtonBox::Ok);
     });
     EXPECT_EQ(loadPreferences().retention, (RetentionLimits{90, {}}));

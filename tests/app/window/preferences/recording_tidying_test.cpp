@@ -87,7 +87,8 @@ TEST_F(RecordingTidyingTest, whatGoesIsInTheLogOneByOne) {
     EXPECT_EQ(done.at(0).at(0).toInt(), 2);
     EXPECT_EQ(recordings(), QStringList({"new.csv"}));
     ASSERT_EQ(said.size(), 2);
-    EXPECT_TRUE(said[0].contains("older.csv (older than the preferences keep)")) << said[0].toStdString();
+    EXPECT_TRUE(said[0].contains("older.csv (older than the limit in the preferences)"))
+        << said[0].toStdString();
     EXPECT_TRUE(said[1].contains("old.csv"));
 }
 
@@ -154,7 +155,7 @@ TEST_F(RecordingTidyingTest, aClockThatJumpedRemovesNothing) {
     ASSERT_TRUE(wait([&] { return !done.isEmpty(); }));
     EXPECT_EQ(recordings(), QStringList({"new.csv", "old.csv"}));
     ASSERT_FALSE(said.isEmpty());
-    EXPECT_TRUE(said.join('\n').contains("new is dated after now")) << said.join('\n').toStdString();
+    EXPECT_TRUE(said.join('\n').contains("new has a date in the future")) << said.join('\n').toStdString();
     now = now.addDays(1);
     tidying->setLimits(Month, {agreedName(folder.path())});
     ASSERT_TRUE(wait([&] { return done.size() == 2; }));

@@ -42,7 +42,7 @@ TEST_F(PlotLayoutTest, draggedSizesAreSavedAndComeBackInAnotherWindow) {
     window->resize(1600, 1100); // with more room than the plots need
     window->openProject(path);
     connectMotor(1.0);
-    ASSERT_TRUE(plots().movePlot(4, 1));
+    ASSERT_TRUE(plots().movePlot(2, 1));
     for (int frame = 0; frame < 3; ++frame) { // legends find their places
         plots().refresh();
         QApplication::processEvents();
@@ -51,7 +51,7 @@ TEST_F(PlotLayoutTest, draggedSizesAreSavedAndComeBackInAnotherWindow) {
     widgets::dragHandle(columns(), 1, -60);
     const auto wanted = plots().plots();
     ASSERT_GT(wanted[0].height_ratio, wanted[1].height_ratio);
-    ASSERT_LT(wanted[0].width_ratio, wanted[4].width_ratio);
+    ASSERT_LT(wanted[0].width_ratio, wanted[2].width_ratio);
     QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
     window->project().finishWriting();
     window.reset();
@@ -70,7 +70,7 @@ TEST_F(PlotLayoutTest, draggedSizesAreSavedAndComeBackInAnotherWindow) {
         QApplication::processEvents();
     }
     const QList<int> widths = columns().sizes();
-    EXPECT_NEAR(static_cast<double>(widths[0]) / widths[1], wanted[0].width_ratio / wanted[4].width_ratio,
+    EXPECT_NEAR(static_cast<double>(widths[0]) / widths[1], wanted[0].width_ratio / wanted[2].width_ratio,
                 0.02); // of some hundred pixels
     EXPECT_FALSE(window->isWindowModified()) << "another window's size is no change";
 }
@@ -85,7 +85,7 @@ TEST_F(PlotLayoutTest, aLayoutThatCannotBeIsSaidAndTheRestOpens) {
     open();
     window->openProject(path);
     ASSERT_EQ(window->project().path(), path.toStdString());
-    auto* bar = saying("shown as usual");
+    auto* bar = saying("Default plots are shown");
     ASSERT_NE(bar, nullptr);
     EXPECT_TRUE(bar->message().text.contains("motor.toml:5:")) << bar->message().text.toStdString();
     EXPECT_TRUE(bar->message().text.contains("height_percent"));

@@ -24,6 +24,17 @@
 namespace halbench::app {
 namespace {
 
+/// The same motor with another damping: a model that contradicts itself is refused.
+IdentifyResult withDamping(IdentifyResult motor, double damping) {
+    const auto set = [](control::Estimate& estimate, double value) {
+        estimate.value = value;
+        estimate.interval95 = std::pair(0.99 * value, 1.01 * value);
+    };
+    set(motor.viscousDamping, damping);
+    set(motor.ratios["c_over_J"], damping / *motor.inertia.value);
+    return motor;
+}
+
 /// What an engineer did in one window is there again in the next.
 class ProjectWorkTest : public WindowTest {
 protected:
@@ -172,7 +183,7 @@ TEST_F(ProjectWorkTest, designsKeptUnderANameAreThereAgainBesideTheOneInUse) {
     const std::string document =
         toJsonText(gainsDocument(window->bench().designHeader(), *window->bench().design())).value();
     auto* tune = panel<TunePanel>("tune");
-    tune->setKeptDesigns({keptDesign("calm", document), keptDesign("strange", "no JSON")});
+    tune->setSavedDesigns({keptDesign("calm", document), keptDesign("strange", "no JSON")});
     saveAs(path());
     const auto saved = loadProject(path().toStdString());
     ASSERT_TRUE(saved);
@@ -180,7 +191,7 @@ TEST_F(ProjectWorkTest, designsKeptUnderANameAreThereAgainBesideTheOneInUse) {
     EXPECT_EQ(saved->designs.back().name, "in use");
     open();
     window->openProject(path());
-    const auto& kept = panel<TunePanel>("tune")->keptDesigns();
+    const auto& kept = panel<TunePanel>("tune")->savedDesigns();
     ASSERT_EQ(kept.size(), 2U);
     EXPECT_EQ(kept[0].name, "calm");
     EXPECT_EQ(kept[0].document, document); // to the byte
@@ -233,8 +244,7 @@ TEST_F(ProjectWorkTest, aSecondIdentificationIsKeptBesideTheFirst) {
     open();
     identify();
     IdentifyResult warm = publishedMotor();
-    warm.viscousDamping.value = 1.1e-3;
-    warm.ratios["c_over_J"].value = 1.1e-3 / 5.5e-4; // a model that contradicts itself is refused
+    warm = withDamping(warm, 1.1e-3);
     window->bench().setIdentification(warm, {header(), ResultOrigin::Measured});
     window->bench().setIdentification(warm, {header(), ResultOrigin::File}); // the same once more
     saveAs(path());
@@ -311,8 +321,7 @@ TEST_F(ProjectWorkTest, aCrashLosesNoIdentificationThatWasAutosaved) {
     identify();
     saveAs(path());
     IdentifyResult warm = publishedMotor();
-    warm.viscousDamping.value = 1.1e-3;
-    warm.ratios["c_over_J"].value = 1.1e-3 / 5.5e-4; // a model that contradicts itself is refused
+    warm = withDamping(warm, 1.1e-3);
     window->bench().setIdentification(warm, {header(), ResultOrigin::Measured});
     window->close(); // autosaves, as the timer does; nothing is saved
     open();          // the next start

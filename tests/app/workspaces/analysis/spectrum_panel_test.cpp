@@ -95,8 +95,7 @@ TEST(SpectrumFigureTest, saysResolutionAveragesAndTotal) {
     const auto spectrum = sineSpectrum(SpectrumScale::Peak);
     ASSERT_TRUE(spectrum);
     const QString words = spectrumWords(*spectrum, fieldLook());
-    EXPECT_TRUE(words.contains("Lines every 0.25 Hz, resolution 0.375 Hz"))
-        << words.toStdString(); // Hann: 1.5
+    EXPECT_TRUE(words.contains("Bin width 0.25 Hz, resolution 0.375 Hz")) << words.toStdString(); // Hann: 1.5
     EXPECT_TRUE(words.contains("; 1 average(s); ")) << words.toStdString();
     EXPECT_TRUE(words.contains("rms of all lines 2.121 mT")) << words.toStdString(); // 3/sqrt(2)
     EXPECT_FALSE(words.contains("gaps"));
@@ -169,7 +168,7 @@ protected:
             });
     }
     QTableWidget& peaks() { return *find<QTableWidget>(*panel, "Highest peaks"); }
-    QString words() { return find<QLabel>(*panel, "What the spectrum says")->text(); }
+    QString words() { return find<QLabel>(*panel, "Summary of the spectrum")->text(); }
     widgets::SpectrogramView& gram() { return *panel->findChild<widgets::SpectrogramView*>(); }
     widgets::FigureView& view() { return *panel->findChild<widgets::FigureView*>(); }
 
@@ -194,7 +193,7 @@ TEST_F(SpectrumPanelTest, aMotorThatSwingsHasItsFrequencyAsTheHighestPeak) {
                std::fabs(peaks().item(0, 1)->text().toDouble() - 20.0) < 1.0; // degrees, the amplitude
     };
     EXPECT_TRUE(wait(hasPeak)) << words().toStdString();
-    EXPECT_TRUE(words().contains("Lines every")) << words().toStdString();
+    EXPECT_TRUE(words().contains("Bin width")) << words().toStdString();
     EXPECT_FALSE(view().isEmpty());
 }
 
@@ -203,7 +202,7 @@ TEST_F(SpectrumPanelTest, theListOfPeaksIsAsWideAsItsLongestUnit) {
     connectTo("sim:htm", 5.0);
     panel->findChild<SignalBox*>()->choose("speed");
     for (QComboBox* box : panel->findChildren<QComboBox*>()) {
-        if (box->accessibleName() == "Shown as") {
+        if (box->accessibleName() == "Quantity") {
             box->setFocus();
             QTest::keyClick(box, Qt::Key_P); // power density
         }
@@ -240,7 +239,7 @@ TEST_F(SpectrumPanelTest, axesAreSwitchedByKeyAndTheUnitByTheKind) {
     EXPECT_FALSE(view().figure().panels.at(0).y.isLogarithmic);
     QTest::keyClick(&view(), Qt::Key_X);
     EXPECT_TRUE(view().figure().x.isLogarithmic);
-    auto* kind = find<QComboBox>(*panel, "Shown as");
+    auto* kind = find<QComboBox>(*panel, "Quantity");
     kind->setCurrentIndex(2);
     Q_EMIT kind->activated(2);
     EXPECT_TRUE(wait([&] {
@@ -291,9 +290,9 @@ TEST_F(SpectrumPanelTest, aKeySwitchesBetweenAllAtOnceAndOverTime) {
 TEST_F(SpectrumPanelTest, theSpectrogramsEndsAreTypedAndItsColoursAreInDecibels) {
     connectTo("sim:htm", 5.0);
     ASSERT_TRUE(wait([&] { return !view().isEmpty(); }));
-    auto* lowest = find<widgets::OptionalNumberEdit>(*panel, "Lowest [Hz]");
-    auto* highest = find<widgets::OptionalNumberEdit>(*panel, "Highest [Hz]");
-    auto* darkest = find<widgets::OptionalNumberEdit>(*panel, "Colours from");
+    auto* lowest = find<widgets::OptionalNumberEdit>(*panel, "Min. [Hz]");
+    auto* highest = find<widgets::OptionalNumberEdit>(*panel, "Max. [Hz]");
+    auto* darkest = find<widgets::OptionalNumberEdit>(*panel, "Colour scale min");
     EXPECT_FALSE(lowest->isVisible());
     view().setFocus();
     QTest::keyClick(&view(), Qt::Key_O);
@@ -317,7 +316,7 @@ TEST_F(SpectrumPanelTest, theSpectrogramsEndsAreTypedAndItsColoursAreInDecibels)
     EXPECT_EQ(gram().axisTitle(QwtPlot::yRight).text(), "amplitude [dB re 1 r/min]");
     EXPECT_DOUBLE_EQ(*darkest->value(), -40.0); // 20 lg 0.01
     EXPECT_NEAR(widgets::colourRange(gram().picture()).low, 0.01, 1e-15);
-    auto* scale = find<QComboBox>(*panel, "Shown as");
+    auto* scale = find<QComboBox>(*panel, "Quantity");
     scale->setCurrentIndex(2); // a power
     Q_EMIT scale->activated(2);
     EXPECT_TRUE(wait([&] { return gram().picture().unit.endsWith("Hz"); }));

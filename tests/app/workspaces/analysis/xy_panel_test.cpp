@@ -40,7 +40,7 @@ protected:
     }
     widgets::FigureView& view() { return *panel->findChild<widgets::FigureView*>(); }
     widgets::EstimateTable& numbers() { return *panel->findChild<widgets::EstimateTable*>(); }
-    QString words() { return find<QLabel>(*panel, "What the ellipse says")->text(); }
+    QString words() { return find<QLabel>(*panel, "Summary of the ellipse")->text(); }
 
     std::unique_ptr<XyPanel> panel;
 };
@@ -67,7 +67,7 @@ TEST_F(XyPanelTest, theHallSensorsOfATurningMotorLieOnAnEllipse) {
     ASSERT_TRUE(wait([&] { return numbers().isVisible(); })) << words().toStdString();
     ASSERT_EQ(numbers().rowCount(), 5);
     EXPECT_EQ(view().figure().panels.at(0).curves.size(), 2U);
-    EXPECT_TRUE(words().contains("Longest and shortest radius")) << words().toStdString();
+    EXPECT_TRUE(words().contains("Semi-axes")) << words().toStdString();
     // The curve goes through the cloud: the extremes of both agree to the noise and the ellipse's own error.
     const auto& curves = view().figure().panels.at(0).curves;
     const auto largest = [](const std::vector<double>& values) {

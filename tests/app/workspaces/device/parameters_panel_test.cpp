@@ -102,7 +102,7 @@ TEST_F(ParametersPanelTest, ourOwnWritesAreNotShownAsForeign) {
 }
 
 TEST_F(ParametersPanelTest, aSimulatedDeviceSaysWhyItCannotSave) {
-    click(*panel, "Save in the device");
+    click(*panel, "Save to device");
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Error; }));
     EXPECT_FALSE(message().remedy.isEmpty());
 }

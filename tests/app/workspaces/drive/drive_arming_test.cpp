@@ -19,19 +19,6 @@ TEST_F(DriveArmingTest, aDoubleClickOnDisarmDoesNotArmAgain) {
     EXPECT_EQ(parameter("hb.arm"), 0.0);
 }
 
-// A set-point field in degrees would mean none of three axes.
-TEST_F(DriveArmingTest, aDeviceOfSeveralAxesIsNotArmedHereAndThatIsSaid) {
-    connectTo("sim:planar", 5.0);
-    auto* message = panel->findChild<widgets::MessageBar*>();
-    ASSERT_TRUE(wait([&] { return message->message().text.contains("several axes"); }));
-    EXPECT_TRUE(message->message().remedy.contains("command line"));
-    EXPECT_TRUE(wait(
-        [&] { return panel->findChild<widgets::ElidedLabel*>()->accessibleName().contains("Disarmed"); }));
-    EXPECT_FALSE(bench().drive().canArm());
-    EXPECT_FALSE(find<QPushButton>(*panel, "Arm")->isEnabled());
-    EXPECT_FALSE(find<QPushButton>(*panel, "Start")->isEnabled());
-}
-
 TEST_F(DriveArmingTest, aWheelThatPassesChangesNoMode) {
     connectTo("sim:htm", 5.0);
     auto* box = find<QComboBox>(*panel, "Mode");
@@ -170,7 +157,7 @@ TEST_F(DriveArmingTest, anAngleFromBeforeTheArmingIsNoOrigin) {
     EXPECT_FALSE(bench().drive().origin_rad().has_value());
     bool isSaid = false;
     for (const auto* label : panel->findChildren<QLabel*>()) {
-        isSaid = isSaid || label->text() == "Waits for a sample of the angle.";
+        isSaid = isSaid || label->text() == "Waiting for the first angle sample.";
     }
     EXPECT_TRUE(isSaid);
     holdSamplesBack(false);

@@ -51,8 +51,8 @@ TEST_F(DrivePanelTest, commandsFollowThePreferredUnits) {
         texts << label->text();
     }
     const QString all = texts.join('\n');
-    EXPECT_TRUE(all.contains("Now 0.1000\u00a0rad")) << all.toStdString();
-    EXPECT_TRUE(all.contains("Moves up to 0.5236\u00a0rad")) << all.toStdString();
+    EXPECT_TRUE(all.contains("Set-point 0.1000\u00a0rad")) << all.toStdString();
+    EXPECT_TRUE(all.contains("Travel: up to 0.5236\u00a0rad")) << all.toStdString();
     for (const auto* box : panel->findChildren<QDoubleSpinBox*>()) {
         EXPECT_FALSE(box->suffix().contains("r/min")) << box->accessibleName().toStdString();
     }
@@ -159,7 +159,7 @@ TEST_F(DrivePanelTest, zeroSaysHowFarItSteps) {
     type(field, "12");
     QTest::keyClick(field, Qt::Key_Return);
     const auto* zero = find<QPushButton>(*panel, "Zero");
-    EXPECT_TRUE(wait([&] { return zero->toolTip().contains("back 12.00"); }));
+    EXPECT_TRUE(wait([&] { return zero->toolTip().contains("back by 12.00"); }));
     EXPECT_EQ(zero->accessibleDescription(), zero->toolTip());
 }
 
@@ -232,7 +232,7 @@ TEST_F(DrivePanelTest, aCurrentBeyondTheLimitIsAFaultInWords) {
     chooseMode(1);
     armByClick();
     click(*panel, "Start"); // a step of 0.5 A
-    EXPECT_TRUE(wait([&] { return message().contains("More current"); })) << message().toStdString();
+    EXPECT_TRUE(wait([&] { return message().contains("Current command above"); })) << message().toStdString();
 }
 
 TEST_F(DrivePanelTest, theGeneratorRunsFromHereAndEnds) {
@@ -303,7 +303,7 @@ TEST_F(DrivePanelTest, heldAngleAndSetpointTogetherStayInsideTheWindow) {
     type(field, "45"); // 75 degrees from where it was armed
     QTest::keyClick(field, Qt::Key_Return);
     EXPECT_EQ(parameter("hb.setpoint"), 0.0);
-    EXPECT_TRUE(message().contains("beyond the excursion window")) << message().toStdString();
+    EXPECT_TRUE(message().contains("outside the excursion window")) << message().toStdString();
     auto* forward = find<QPushButton>(*panel, "Forward +");
     // Slowly and from rest, r/min: the rotor must not swing over the window's end, where the board stops it.
     type(find<QDoubleSpinBox>(*panel, "Jog speed"), "20");
@@ -366,7 +366,7 @@ TEST_F(DrivePanelTest, windowsAreSwitchedAndWarnBeforeTheMotion) {
     EXPECT_NEAR(*bench().deviceValue("window.position"), degreesToRadians(20.0), 1e-6);
     const auto labels = panel->findChildren<QLabel*>();
     EXPECT_TRUE(std::any_of(labels.begin(), labels.end(),
-                            [](const QLabel* label) { return label->text().contains("beyond the limit"); }));
+                            [](const QLabel* label) { return label->text().contains("Above the limit"); }));
 }
 
 } // namespace

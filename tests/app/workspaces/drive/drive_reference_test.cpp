@@ -18,10 +18,10 @@ protected:
         }
         return false;
     }
-    /// "then up to 20.00° from where it was armed"
+    /// "up to 20.00° from the arming position"
     double wholeWay_deg() {
         for (const QLabel* label : panel->findChildren<QLabel*>()) {
-            const QString after = label->text().section("then up to ", 1);
+            const QString after = label->text().section(", up to ", 1);
             if (label->isVisible() && !after.isEmpty()) {
                 return after.section(QRegularExpression("[^0-9.]"), 0, 0).toDouble();
             }
@@ -32,16 +32,16 @@ protected:
 };
 
 TEST_F(DriveReferenceTest, whatTheSetPointCountsFromStandsBesideTheField) {
-    EXPECT_TRUE(isSaid("Angle from where it will be armed"));
+    EXPECT_TRUE(isSaid("Position relative to the arming position"));
     connectTo("sim:htm", 5.0);
     armByClick();
     ASSERT_TRUE(wait([&] { return bench().drive().origin_rad().has_value(); }));
     const double origin_deg = radiansToDegrees(*bench().drive().origin_rad());
-    EXPECT_TRUE(isSaid("Angle from where it was armed (at " + QString::number(origin_deg, 'f', 2)));
+    EXPECT_TRUE(isSaid("Position relative to the arming position (" + QString::number(origin_deg, 'f', 2)));
     chooseMode(1);
     EXPECT_TRUE(wait([&] { return !isSaid("Angle from"); }));
     chooseMode(2);
-    EXPECT_TRUE(wait([&] { return isSaid("Angle from where the mode was chosen (at "); }));
+    EXPECT_TRUE(wait([&] { return isSaid("Position relative to the mode's start ("); }));
 }
 
 TEST_F(DriveReferenceTest, whileAReferenceRunsNoOtherStartsAndThePanelSaysWhy) {
@@ -53,12 +53,12 @@ TEST_F(DriveReferenceTest, whileAReferenceRunsNoOtherStartsAndThePanelSaysWhy) {
     EXPECT_FALSE(start()->isEnabled()) << "at once, not when the board has said so";
     ASSERT_TRUE(wait([&] { return latest("reference.running") > 0.5; }));
     EXPECT_FALSE(start()->isEnabled());
-    EXPECT_TRUE(isSaid("Start waits"));
-    EXPECT_TRUE(start()->toolTip().contains("End ends it"));
+    EXPECT_TRUE(isSaid("A motion is running"));
+    EXPECT_TRUE(start()->toolTip().contains("End it to start another"));
     EXPECT_EQ(start()->accessibleDescription(), start()->toolTip());
     click(*panel, "End");
     EXPECT_TRUE(wait([&] { return start()->isEnabled(); }));
-    EXPECT_FALSE(isSaid("Start waits"));
+    EXPECT_FALSE(isSaid("A motion is running"));
     EXPECT_EQ(start()->toolTip(), usual);
 }
 
@@ -67,8 +67,8 @@ TEST_F(DriveReferenceTest, theWholeWayFromWhereItWasArmedIsSaidBeforeAFurtherSta
     armByClick();
     find<QDoubleSpinBox>(*panel, "Amplitude")->setValue(10.0);
     find<QDoubleSpinBox>(*panel, "Duration")->setValue(0.5);
-    EXPECT_TRUE(isSaid("Moves up to 10.00"));
-    EXPECT_FALSE(isSaid("then up to"));
+    EXPECT_TRUE(isSaid("Travel: up to 10.00"));
+    EXPECT_FALSE(isSaid(", up to"));
     for (const double whole_deg : {20.0, 30.0}) { // a step of 10 degrees each, held where it ends
         click(*panel, "Start");
         ASSERT_TRUE(wait([&] { return latest("reference.running") > 0.5; }));
@@ -86,14 +86,14 @@ TEST_F(DriveReferenceTest, aLetterAndAForeignDecimalSignAreNamedInTheFieldAndWhe
     armByClick();
     auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
     type(field, "12,5");
-    EXPECT_TRUE(QToolTip::text().contains("write '.'")) << QToolTip::text().toStdString();
+    EXPECT_TRUE(QToolTip::text().contains("Use '.'")) << QToolTip::text().toStdString();
     QTest::keyClick(field, Qt::Key_Return);
     const auto* bar = panel->findChild<widgets::MessageBar*>();
     EXPECT_TRUE(message().contains("'12,5")) << message().toStdString();
-    EXPECT_TRUE(bar->message().remedy.contains("write '.'")) << bar->message().remedy.toStdString();
+    EXPECT_TRUE(bar->message().remedy.contains("Use '.'")) << bar->message().remedy.toStdString();
     type(find<QDoubleSpinBox>(*panel, "Amplitude"), "2x");
     click(*panel, "Start");
-    EXPECT_TRUE(bar->message().remedy.contains("'x' belongs to no number"));
+    EXPECT_TRUE(bar->message().remedy.contains("'x' is not allowed in a number"));
     EXPECT_LT(latest("reference.running"), 0.5);
     QLocale::setDefault(before);
 }

@@ -16,7 +16,7 @@ TEST_F(DrivePanelTest, aTextThatIsNoSetpointSendsNothing) {
         }
         QTest::keyClick(field, Qt::Key_Return);
         EXPECT_EQ(parameter("hb.setpoint"), 0.0) << text;
-        EXPECT_TRUE(message().contains("not a set-point")) << message().toStdString();
+        EXPECT_TRUE(message().contains("not a valid set-point")) << message().toStdString();
     }
     type(field, "400000");
     QTest::keyClick(field, Qt::Key_Tab);
@@ -35,7 +35,7 @@ TEST_F(DrivePanelTest, goWithATextThatIsNoSetpointSaysSoAndSendsNothing) {
         // As a mouse does it: the focus goes to the button, then the button is pressed.
         go->setFocus(Qt::MouseFocusReason);
         QTest::mouseClick(go, Qt::LeftButton);
-        EXPECT_TRUE(message().contains("not a set-point")) << text << ": " << message().toStdString();
+        EXPECT_TRUE(message().contains("not a valid set-point")) << text << ": " << message().toStdString();
         EXPECT_TRUE(message().contains(text)) << message().toStdString();
         EXPECT_EQ(parameter("hb.setpoint"), 0.0) << text;
         QTest::qWait(0);
@@ -70,7 +70,7 @@ TEST_F(DrivePanelTest, whatWasRefusedIsNotSaidAnyMoreOnceAGoodNumberStandsThere)
     bench().drive().releaseStop();
     ASSERT_TRUE(wait([&] { return !bench().stopLatch().isLatched(); }));
     QTest::qWait(0);
-    EXPECT_FALSE(message().contains("cannot be used")) << message().toStdString();
+    EXPECT_FALSE(message().contains("is not valid")) << message().toStdString();
 }
 
 TEST_F(DrivePanelTest, aSetpointFarAwayIsAnEvenRampAndZeroComesBackAsOne) {
@@ -85,7 +85,7 @@ TEST_F(DrivePanelTest, aSetpointFarAwayIsAnEvenRampAndZeroComesBackAsOne) {
     for (const double to_deg : {90.0, 0.0}) {
         const double begin_s = bench().history().latest("reference")->time_s;
         if (to_deg == 0.0) {
-            EXPECT_TRUE(zero->toolTip().contains("back 90.00")) << zero->toolTip().toStdString();
+            EXPECT_TRUE(zero->toolTip().contains("back by 90.00")) << zero->toolTip().toStdString();
             click(*panel, "Zero");
         } else {
             type(field, QString::number(to_deg));
@@ -145,7 +145,7 @@ TEST_F(DrivePanelTest, aLeapBesideAReferenceIsRefused) {
     auto* field = find<QDoubleSpinBox>(*panel, "Set-point");
     type(field, "90");
     QTest::keyClick(field, Qt::Key_Return);
-    EXPECT_TRUE(message().contains("leap")) << message().toStdString();
+    EXPECT_TRUE(message().contains("too large")) << message().toStdString();
     EXPECT_EQ(parameter("hb.setpoint"), 0.0);
     EXPECT_GT(latest("reference.running"), 0.5);
 }

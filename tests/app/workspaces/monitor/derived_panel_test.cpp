@@ -4,6 +4,7 @@
 #include "app/workspaces/monitor/signal_tree.h"
 #include "app/workspaces/monitor/signals_panel.h"
 #include "tests/app/workspaces/bench_fixture.h"
+#include "tests/app/workspaces/monitor/five_plots.h"
 #include "widgets/live_plot/live_plot_stack.h"
 
 #include <QLabel>
@@ -19,6 +20,7 @@ protected:
         BenchTest::SetUp();
         panel = std::make_unique<DerivedPanel>(bench());
         monitor = std::make_unique<MonitorPanel>(bench());
+        monitor->setView(fivePlots());
         list = std::make_unique<SignalsPanel>(bench());
         QObject::connect(list.get(), &SignalsPanel::plotRequested, monitor.get(), &MonitorPanel::plot);
         QObject::connect(monitor.get(), &MonitorPanel::plottedChanged, list.get(), &SignalsPanel::setPlotted);
@@ -40,7 +42,7 @@ protected:
         type(find<QLineEdit>(*panel, "Expression"), expression);
     }
     void enter() { QTest::keyClick(find<QLineEdit>(*panel, "Expression"), Qt::Key_Return); }
-    QString problem() { return find<QLabel>(*panel, "What is wrong with the expression")->text(); }
+    QString problem() { return find<QLabel>(*panel, "Error in the expression")->text(); }
     QTableWidget& table() { return *find<QTableWidget>(*panel, "Derived signals"); }
     SignalTree& tree() { return *list->findChild<SignalTree*>(); }
 

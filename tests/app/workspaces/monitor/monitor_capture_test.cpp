@@ -59,8 +59,8 @@ protected:
         choose("Mode", "Single");
         choose("Source", "Hall A");
         ASSERT_TRUE(wait([&] { return bench().history().range("hall.a")->length_s() > 1.0; }));
-        click(*panel, "Level to the middle");
-        choose("From", "Board");
+        click(*panel, "Set level to 50 %");
+        choose("Event in", "Board");
     }
     std::vector<double> shown(const std::string& signal) {
         std::vector<control::TimedValue> samples;
@@ -130,7 +130,7 @@ TEST_F(MonitorCaptureTest, offersOnlyWhatTheBoardCanDoAndSaysWhy) {
     press(Qt::Key_T);
     choose("Source", "Hall A");
     choose("Slope", "either");
-    choose("From", "Board");
+    choose("Event in", "Board");
     EXPECT_EQ(box("Mode").currentText(), "Normal"); // it was Auto
     EXPECT_FALSE(isOffered("Mode", "Auto"));
     EXPECT_FALSE(isOffered("Slope", "either"));
@@ -138,9 +138,9 @@ TEST_F(MonitorCaptureTest, offersOnlyWhatTheBoardCanDoAndSaysWhy) {
     for (const char* field : {"Hysteresis", "Hold-off"}) {
         auto* number = find<widgets::QuantityEdit>(*panel, field);
         EXPECT_FALSE(number->isEnabled()) << field;
-        EXPECT_TRUE(number->toolTip().startsWith("The board has none")) << field;
+        EXPECT_TRUE(number->toolTip().startsWith("The device has no")) << field;
     }
-    choose("From", "Live");
+    choose("Event in", "Live");
     EXPECT_TRUE(isOffered("Mode", "Auto"));
     EXPECT_TRUE(find<widgets::QuantityEdit>(*panel, "Hold-off")->isEnabled());
 }
@@ -158,10 +158,10 @@ TEST_F(MonitorCaptureTest, aLongWindowIsCapturedAtAPartOfTheLoopsRate) {
 TEST_F(MonitorCaptureTest, aReferenceThatStartsIsTheEvent) {
     press(Qt::Key_T);
     choose("Mode", "Single");
-    choose("From", "Board");
+    choose("Event in", "Board");
     EXPECT_EQ(box("Source").currentText(), "Reference start");
     ASSERT_TRUE(wait([&] { return words() == "Waiting"; })) << state().toStdString();
-    EXPECT_TRUE(state().startsWith("The board waits until the reference starts; captures Hall A, Hall B"));
+    EXPECT_TRUE(state().startsWith("Waiting until the reference starts; captures Hall A, Hall B"));
     DriveControl& drive = bench().drive();
     drive.setMode(devices::BoardMode::Current);
     ASSERT_TRUE(wait([&] { return drive.canArm(); }));
@@ -186,9 +186,9 @@ TEST_F(MonitorCaptureTest, aRecordingIsCompleteBeforeTheCaptureIsRead) {
     bench().recording().start();
     ASSERT_TRUE(wait([&] { return bench().recording().isRecording(); }));
     captureHall();
-    ASSERT_TRUE(wait([&] { return words() == "Caught"; })) << state().toStdString();
+    ASSERT_TRUE(wait([&] { return words() == "Captured"; })) << state().toStdString();
     QTest::qWait(200);
-    EXPECT_EQ(words(), "Caught");
+    EXPECT_EQ(words(), "Captured");
     EXPECT_EQ(stack().history(), &bench().history());
     bench().recording().stop();
     ASSERT_TRUE(wait([&] { return state().startsWith("Stopped after an event"); })) << state().toStdString();
@@ -211,7 +211,7 @@ TEST_F(MonitorCaptureTest, waitsWithEverythingWhileAProcedureHasTheDevice) {
         },
         [](const Result<void>&) {}));
     captureHall();
-    ASSERT_TRUE(wait([&] { return words() == "Held back"; })) << state().toStdString();
+    ASSERT_TRUE(wait([&] { return words() == "On hold"; })) << state().toStdString();
     EXPECT_EQ(parameter("capture.pretrigger"), 0.0) << "nothing was ordered";
     isOver = true;
     ASSERT_TRUE(wait([&] { return state().startsWith("Stopped after an event"); })) << state().toStdString();

@@ -121,7 +121,7 @@ TEST_F(MonitorDataTest, ofPlotsWithSeveralTimeAxesTheOnesOfTheFocusAreTaken) {
     const QString shared = QGuiApplication::clipboard()->text().section('\n', 0, 0);
     EXPECT_TRUE(shared.contains("Hall A")) << shared.toStdString();
     EXPECT_FALSE(shared.contains("Angle")) << shared.toStdString();
-    EXPECT_TRUE(panel->findChild<widgets::MessageBar*>()->message().text.contains("not in it"));
+    EXPECT_TRUE(panel->findChild<widgets::MessageBar*>()->message().text.contains("not included"));
     stack().setCursorsVisible(true); // a stretch of time for all
     press(Qt::Key_C, Qt::ControlModifier | Qt::AltModifier);
     EXPECT_TRUE(QGuiApplication::clipboard()->text().section('\n', 0, 0).contains("Angle"));
@@ -167,7 +167,6 @@ TEST_F(MonitorDataTest, anUnknownEndingAndTheMenuOfThePlots) {
         offered << action->text();
     }
     EXPECT_TRUE(offered.contains("Copy data") && offered.contains("Save data…"));
-    EXPECT_EQ(stack().contextMenuPolicy(), Qt::ActionsContextMenu);
 }
 
 } // namespace

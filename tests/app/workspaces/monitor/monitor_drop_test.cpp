@@ -1,6 +1,7 @@
 // Where a signal is seen that was dropped on a plot.
 #include "app/workspaces/monitor/monitor_panel.h"
 #include "tests/app/workspaces/bench_fixture.h"
+#include "tests/app/workspaces/monitor/five_plots.h"
 #include "widgets/live_plot/live_plot_stack.h"
 
 #include <set>
@@ -13,10 +14,11 @@ protected:
     void SetUp() override {
         BenchTest::SetUp();
         panel = std::make_unique<MonitorPanel>(bench());
+        panel->setView(fivePlots());
         panel->resize(1200, 800);
         panel->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));
-        connectTo("sim:htm", 5.0); // field, angle, speed, current, temperature: one plot each
+        connectTo("sim:htm", 5.0);
         ASSERT_EQ(stack().plots().size(), 5U);
     }
     void TearDown() override { panel.reset(); }

@@ -2,6 +2,7 @@
 
 #include "app/workspaces/monitor/monitor_panel.h"
 #include "tests/app/workspaces/bench_fixture.h"
+#include "tests/app/workspaces/monitor/five_plots.h"
 #include "widgets/live_plot/live_plot.h"
 #include "widgets/live_plot/live_plot_stack.h"
 
@@ -15,6 +16,7 @@ protected:
     void SetUp() override {
         BenchTest::SetUp();
         panel = std::make_unique<MonitorPanel>(bench());
+        panel->setView(fivePlots());
         panel->resize(1200, 900);
         panel->show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(panel.get()));

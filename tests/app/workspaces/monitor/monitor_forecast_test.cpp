@@ -28,21 +28,20 @@ TEST(ForecastWords, sayWhatIsKnownAndWhatIsNot) {
     reached.forecast.interval95_s = {240.0, 366.0};
     reached.forecast.earliest_s = 240.0;
     EXPECT_EQ(forecastWords(reached),
-              "Coil A reaches 80 °C in 5.0 min (95 %: 4.0 min to 6.1 min) at this load.");
+              "Coil A reaches 80 °C at this load in 5.0 min (95 %: 4.0 min to 6.1 min).");
     CoilForecast never = forecastOf(Forecast::Verdict::NotReached);
-    EXPECT_EQ(forecastWords(never), "Coil A does not reach 80 °C at this load.");
+    EXPECT_EQ(forecastWords(never), "Coil A stays below 80 °C at this load.");
     never.forecast.final95_degC = {48.25, 49.0};
-    EXPECT_EQ(forecastWords(never), "Coil A does not reach 80 °C at this load: it goes to 48.3 to 49.0 °C.");
+    EXPECT_EQ(forecastWords(never), "Coil A stays below 80 °C at this load: final value 48.3 to 49.0 °C.");
     CoilForecast later = forecastOf(Forecast::Verdict::NotBefore);
     later.forecast.earliest_s = 90.0;
     EXPECT_EQ(forecastWords(later),
-              "Coil A does not reach 80 °C for 90 s at this load; whether at all is not known yet.");
+              "Coil A stays below 80 °C for 90 s at this load; final value not known yet.");
     EXPECT_EQ(forecastWords(forecastOf(Forecast::Verdict::AtLimit)), "Coil A is at its limit of 80 °C.");
     CoilForecast withheld = forecastOf(Forecast::Verdict::Withheld);
     withheld.forecast.reason = Forecast::Reason::TooShort;
     withheld.forecast.stretch_s = 12.0;
-    EXPECT_EQ(forecastWords(withheld),
-              "Time to 80 °C not known: the load has been steady for 12 of the 20 s that are needed.");
+    EXPECT_EQ(forecastWords(withheld), "Time to 80 °C: needs 20 s of steady load (12 s so far).");
 }
 
 class MonitorForecastTest : public MonitorTest {
@@ -76,7 +75,7 @@ protected:
         ASSERT_TRUE(devices::writeExactRecordingFile(path.toStdString(), recording, meta));
     }
     QString words() {
-        auto* label = find<widgets::ElidedLabel>(*panel, "Time until the coils reach their limit");
+        auto* label = find<widgets::ElidedLabel>(*panel, "Time until the coil limit is reached");
         return label->isVisible() ? label->words() : QString();
     }
     QTemporaryDir folder;
@@ -86,7 +85,7 @@ TEST_F(MonitorForecastTest, theLineBelowThePlotsTellsTheHotterCoilsTime) {
     EXPECT_EQ(words(), QString()) << "no device";
     writeHeating(folder.filePath("heat.csv"));
     connectTo("replay:" + folder.filePath("heat.csv"), 20.0);
-    EXPECT_TRUE(wait([&] { return words().startsWith("Coil A reaches 80 °C in "); }))
+    EXPECT_TRUE(wait([&] { return words().startsWith("Coil A reaches 80 °C at this load in "); }))
         << words().toStdString();
     // 25 to 80 degC at 3 A: ln(1 + rate 55/0.4219)/rate = 135 s from the start
     EXPECT_TRUE(words().contains(" s (95 %: ")) << words().toStdString();

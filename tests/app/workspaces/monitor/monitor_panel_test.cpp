@@ -1,5 +1,5 @@
 #include "app/workbench/display_quantity.h"
-#include "app/workbench/fault_words.h"
+#include "app/workbench/fault_text.h"
 #include "app/workbench/live_signals.h"
 #include "app/workspaces/monitor/monitor_panel.h"
 #include "app/workspaces/monitor/monitor_plots.h"
@@ -7,6 +7,7 @@
 #include "app/workspaces/monitor/signals_panel.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/bench_fixture.h"
+#include "tests/app/workspaces/monitor/five_plots.h"
 #include "widgets/controls/empty_state.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/live_plot/live_legend.h"
@@ -30,8 +31,9 @@ protected:
     void SetUp() override {
         BenchTest::SetUp();
         panel = std::make_unique<MonitorPanel>(bench());
+        panel->setView(fivePlots());
         list = std::make_unique<SignalsPanel>(bench());
-        // As the window connects them (app/window/task_flow.cpp).
+        // As the window connects them (app/window/panel_connections.cpp).
         QObject::connect(list.get(), &SignalsPanel::plotRequested, panel.get(), &MonitorPanel::plot);
         QObject::connect(panel.get(), &MonitorPanel::plottedChanged, list.get(), &SignalsPanel::setPlotted);
         list->resize(300, 800);
@@ -73,7 +75,33 @@ TEST_F(MonitorPanelTest, withoutADeviceItOffersTheSimulatedMotor) {
     EXPECT_FALSE(empty->isVisible()); // what was measured can still be looked at
 }
 
-TEST_F(MonitorPanelTest, aConnectedMotorIsWatchedAtOnceInItsDefaultPlots) {
+// The engineer looks at the motion and at what drives it; the rest is a tick away.
+TEST_F(MonitorPanelTest, aDeviceShowsPositionSpeedAndCurrentAtFirst) {
+    panel->setView({});
+    connectTo("sim:htm", 5.0);
+    const auto signalsOf = [&](std::size_t plot) {
+        std::vector<std::string> names;
+        for (const widgets::PlotCurve& curve : stack().plots()[plot].curves) {
+            names.push_back(curve.signal);
+        }
+        return names;
+    };
+    using Names = std::vector<std::string>;
+    ASSERT_EQ(stack().plots().size(), 3U);
+    EXPECT_EQ(signalsOf(0), (Names{"position", "reference"}));
+    EXPECT_EQ(signalsOf(1), Names{"speed"});
+    EXPECT_EQ(signalsOf(2), (Names{"current_command", "current.a", "current.b"}));
+    connectTo("sim:planar", 5.0); // its angle has another unit than its ways
+    ASSERT_EQ(stack().plots().size(), 3U);
+    EXPECT_EQ(signalsOf(0), (Names{"position.x", "reference.x", "position.y", "reference.y"}));
+    EXPECT_EQ(signalsOf(1), (Names{"position.phi", "reference.phi"}));
+    EXPECT_EQ(signalsOf(2), (Names{"speed.x", "speed.y"}));
+    connectTo("sim:spherical", 5.0);
+    EXPECT_LE(stack().plots().size(), 3U);
+    EXPECT_FALSE(signalsOf(0).empty());
+}
+
+TEST_F(MonitorPanelTest, aConnectedMotorIsWatchedAtOnceInThePlotsOfItsView) {
     connectTo("sim:htm", 5.0);
     ASSERT_EQ(stack().plots().size(), 5U);
     EXPECT_EQ(stack().plots()[0].unit, "mT");
@@ -95,23 +123,23 @@ TEST_F(MonitorPanelTest, theValuesAxesFitAnotherDeviceAtOnceAndTheSameOneAsTheUs
         return static_cast<int>(found - plots.begin());
     };
     connectTo("sim:htm?seed=4", 5.0);
-    const int temperature = indexOf("coil_temperature.a");
-    ASSERT_TRUE(wait([&] { return stack().valueRange(temperature).low > 1.0; })) << "fits 25 degC";
+    const int speed = indexOf("speed");
     const widgets::ValueRange held{200.0, 300.0};
     for (widgets::LivePlot* plot : stack().findChildren<widgets::LivePlot*>()) {
-        if (plot->spec() == stack().plots()[static_cast<std::size_t>(temperature)]) {
+        if (plot->spec() == stack().plots()[static_cast<std::size_t>(speed)]) {
             plot->setUserRange(held);
         }
     }
-    ASSERT_EQ(stack().heldRange(temperature), held);
+    ASSERT_EQ(stack().heldRange(speed), held);
     connectTo("sim:htm?seed=4", 5.0);
-    EXPECT_EQ(stack().heldRange(temperature), held) << "the same one, reconnected";
+    EXPECT_EQ(stack().heldRange(speed), held) << "the same one, reconnected";
     connectTo("sim:htm?seed=9", 5.0);
-    EXPECT_FALSE(stack().heldRange(temperature).has_value());
-    ASSERT_TRUE(wait([&] { return bench().history().latest("coil_temperature.a").has_value(); }));
+    const int other = indexOf("speed"); // among its own plots
+    EXPECT_FALSE(stack().heldRange(other).has_value());
+    ASSERT_TRUE(wait([&] { return bench().history().latest("speed").has_value(); }));
     EXPECT_TRUE(wait([&] {
-        const double now_degC = bench().history().latest("coil_temperature.a")->value;
-        return stack().valueRange(temperature).contains({now_degC, now_degC});
+        const double now_r_min = 30.0 / Pi * bench().history().latest("speed")->value;
+        return stack().valueRange(other).contains({now_r_min, now_r_min});
     }));
 }
 

@@ -264,7 +264,7 @@ TEST_F(MonitorPictureTest, isLightUnlessTheWindowsColoursAreAskedFor) {
     };
     EXPECT_EQ(corner(), widgets::loadTheme("light").value().panel);
     for (QAction* action : stack().actions()) {
-        if (action->text() == "Pictures in the window's colours") {
+        if (action->text() == "Pictures in window colours") {
             action->setChecked(true);
         }
     }

@@ -29,7 +29,7 @@ protected:
 
 TEST_F(MonitorRateTest, offersWhatTheDeviceHasBeyondTheUsual) {
     connectTo(fastReplay(folder, 10000.0), 1.0);
-    EXPECT_EQ(offered(), (QStringList{"As usual, 1000 Hz *", "2000 Hz", "5000 Hz", "10000 Hz"}));
+    EXPECT_EQ(offered(), (QStringList{"Default (1000 Hz) *", "2000 Hz", "5000 Hz", "10000 Hz"}));
     rate().action().menu()->actions()[3]->trigger();
     EXPECT_EQ(bench().liveSignals().rate_Hz(), 10000.0);
     EXPECT_EQ(panel->view().rate_Hz, 10000.0) << "the project keeps it";
@@ -40,8 +40,7 @@ TEST_F(MonitorRateTest, offersWhatTheDeviceHasBeyondTheUsual) {
 
 TEST_F(MonitorRateTest, saysWhereThereIsNoMore) {
     connectTo("sim:htm", 5.0);
-    EXPECT_EQ(offered(),
-              (QStringList{"As usual, 1000 Hz *", "The device and its link carry no more (disabled)"}));
+    EXPECT_EQ(offered(), (QStringList{"Default (1000 Hz) *", "Maximum of device and link (disabled)"}));
 }
 
 TEST_F(MonitorRateTest, aRateThatCannotBeIsSaidWithTheOneThatComes) {

@@ -68,7 +68,7 @@ TEST_F(MonitorStatisticsTest, aPlotWithItsOwnTimeAxisHasItsOwnStretch) {
     const control::TimeRange own = stack().timeRange(0);
     EXPECT_NEAR(own.length_s(), 0.5, 1e-9);
     press(Qt::Key_S);
-    EXPECT_EQ(range(), "In view of each plot");
+    EXPECT_EQ(range(), "Visible range of each plot");
     const auto count = [&](const char* signal, control::TimeRange stretch) {
         return QLocale().toString(
             static_cast<qulonglong>(bench().history().statistics(signal, stretch).moments.count()));

@@ -94,7 +94,7 @@ TEST_F(MonitorTriggerTest, aSetPointChangeStandsInTheViewUntilTheNextAndEndFollo
     press(Qt::Key_T);
     choose("Mode", "Single");
     enter("Window", "0.4");
-    enter("Before", "25");
+    enter("Pre-trigger", "25");
     waitForPartBefore();
     command(0.5);
     ASSERT_TRUE(wait([&] { return state().startsWith("Stopped after the event"); })) << state().toStdString();
@@ -138,7 +138,7 @@ TEST_F(MonitorTriggerTest, theLevelIsDraggedInThePlotAndPutIntoTheMiddle) {
     choose("Source", "Hall A");
     const auto inView = [&] { return bench().history().extremes("hall.a", stack().timeRange()); };
     ASSERT_TRUE(wait([&] { return inView().min <= inView().max; })); // the picture follows the data
-    click(*panel, "Level to the middle");
+    click(*panel, "Set level to 50 %");
     const double middle = stack().level()->level;
     const control::Extremes extremes = inView();
     EXPECT_GE(middle, extremes.min);
@@ -182,7 +182,7 @@ TEST_F(MonitorTriggerTest, aSourceThatTheDeviceDoesNotHaveIsSaid) {
     view.trigger.source = "hall.north";
     panel->setView(view);
     connectTo("sim:htm", 5.0);
-    EXPECT_TRUE(wait([&] { return state() == "No samples of hall.north come"; })) << state().toStdString();
+    EXPECT_TRUE(wait([&] { return state() == "No samples of hall.north"; })) << state().toStdString();
 }
 
 } // namespace

@@ -17,7 +17,7 @@ class MonitorUnitsTest : public MonitorTest {
 protected:
     void SetUp() override {
         MonitorTest::SetUp();
-        connectTo("sim:htm", 5.0); // field, angle with reference, speed, current, temperature: a plot each
+        connectTo("sim:htm", 5.0);
         ASSERT_EQ(stack().plots().size(), 5U);
     }
     widgets::LiveLegend* legend(int plot) {

@@ -47,7 +47,7 @@ TEST_F(NumberCheckTest, refusesATextThatWasLeftOnceAndThenTakesWhatIsShown) {
     type(field, "9");
     field->clearFocus();
     EXPECT_EQ(refusals.count(), 1);
-    EXPECT_TRUE(refusals.at(0).at(1).toString().contains("shows 0.5")) << "what holds now";
+    EXPECT_TRUE(refusals.at(0).at(1).toString().contains("Reset to 0.5")) << "what holds now";
     EXPECT_FALSE(check->take());
     EXPECT_EQ(*check->take(), 0.5);
 }

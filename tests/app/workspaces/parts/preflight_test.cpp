@@ -57,24 +57,34 @@ TEST(Preflight, everythingThatForbidsMotionIsSaidWithItsRemedy) {
     EXPECT_TRUE(isPassed(wrong[6]));
 }
 
+TEST(Preflight, aDeviceThatOnlySensesNeedsNoConsentAndHasNoCoils) {
+    PreflightFacts facts = ready();
+    facts.isSimulated = false;
+    facts.isDriven = false;
+    EXPECT_TRUE(isPassed(facts));
+    EXPECT_EQ(preflightItems(facts).size(), 2U);
+    facts.board.fault = 7;
+    EXPECT_FALSE(isPassed(facts));
+}
+
 TEST(Preflight, aLatchedStopNamesTheButtonThatReleasesIt) {
     PreflightFacts facts = ready();
     facts.board.isStopLatched = true;
     const std::vector<PreflightItem> items = preflightItems(facts);
-    EXPECT_EQ(items.at(1).remedy, "Press Release, beside the state at the top"); // STOP only stops
+    EXPECT_EQ(items.at(1).remedy, "Press Release next to the state at the top"); // STOP only stops
 }
 
 TEST(Preflight, whatAProcedureArmedIsNotArmedByHand) {
     PreflightFacts facts = ready();
     facts.isBusy = true;
     facts.board.isArmed = true;
-    EXPECT_EQ(preflightItems(facts).at(0).text, "Another procedure runs");
-    facts.running = "This verification is running";
+    EXPECT_EQ(preflightItems(facts).at(0).text, "Another procedure is running");
+    facts.running = "Verification running";
     const std::vector<PreflightItem> items = preflightItems(facts);
-    EXPECT_EQ(items.at(0).text, "This verification is running");
+    EXPECT_EQ(items.at(0).text, "Verification running");
     EXPECT_FALSE(items.at(0).isPassed); // nothing is started beside it
     for (const PreflightItem& item : items) {
-        EXPECT_FALSE(item.text.contains("by hand") || item.text.contains("Another"))
+        EXPECT_FALSE(item.text.contains("manually") || item.text.contains("Another"))
             << item.text.toStdString();
     }
 }
@@ -82,7 +92,7 @@ TEST(Preflight, whatAProcedureArmedIsNotArmedByHand) {
 TEST(Preflight, aDeviceThatIsLookedForIsNotOneThatWasNeverConnected) {
     PreflightFacts facts = ready();
     facts.state = SessionState::Reconnecting;
-    EXPECT_TRUE(preflightItems(facts).front().text.contains("being looked for"));
+    EXPECT_TRUE(preflightItems(facts).front().text.contains("reconnecting"));
     facts.state = SessionState::Disconnected;
     EXPECT_EQ(preflightItems(facts).front().text, "No device is connected");
 }

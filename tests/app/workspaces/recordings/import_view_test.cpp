@@ -1,7 +1,7 @@
 #include "app/workbench/recording_control.h"
 #include "app/workspaces/recordings/import_table.h"
+#include "app/workspaces/recordings/import_text.h"
 #include "app/workspaces/recordings/import_view.h"
-#include "app/workspaces/recordings/import_words.h"
 #include "devices/formats/recording_file.h"
 #include "tests/app/workspaces/bench_fixture.h"
 #include "widgets/controls/message_bar.h"
@@ -44,10 +44,10 @@ protected:
         settle();
     }
     void settle() {
-        ASSERT_TRUE(wait([this] { return !reason().contains("being read"); }));
+        ASSERT_TRUE(wait([this] { return !reason().contains("Reading the file"); }));
     }
     QPushButton& button() { return *find<QPushButton>(*view, "Import"); }
-    QString reason() { return find<QLabel>(*view, "What is missing for the import")->text(); }
+    QString reason() { return find<QLabel>(*view, "Missing for the import")->text(); }
     QComboBox* question() {
         for (auto* row : view->findChildren<QuestionRow*>()) {
             if (row->isVisible()) {
@@ -61,7 +61,7 @@ protected:
         Q_EMIT box.activated(index);
         settle();
     }
-    ImportTable& rows() { return *find<ImportTable>(*view, "First rows as they would be read"); }
+    ImportTable& rows() { return *find<ImportTable>(*view, "Preview of the first rows"); }
     /// Of the table itself, below what is said of its columns.
     QString cell(int row, int column) {
         const QTableWidgetItem* title = rows().verticalHeaderItem(0);
@@ -107,7 +107,7 @@ protected:
 
 TEST_F(ImportViewTest, showsTheFirstRowsAsTheyWouldBeReadAndImportsThem) {
     EXPECT_FALSE(button().isEnabled());
-    EXPECT_TRUE(reason().startsWith("Choose a table")) << reason().toStdString();
+    EXPECT_TRUE(reason().startsWith("Choose a file")) << reason().toStdString();
     look("t_ms;speed [rpm];Last [stone]\n0;30;1,25\n10;60;1,5\n20;90;1,75\n");
     EXPECT_TRUE(button().isEnabled()) << reason().toStdString();
     EXPECT_EQ(header(0), "time [s]\nfrom t_ms");
@@ -116,8 +116,8 @@ TEST_F(ImportViewTest, showsTheFirstRowsAsTheyWouldBeReadAndImportsThem) {
     EXPECT_EQ(cell(1, 0), "0.01");
     EXPECT_EQ(cell(1, 1).left(6), "6.2831"); // 60 r/min are a turn a second
     EXPECT_EQ(cell(2, 2), "1.75");
-    EXPECT_EQ(find<QComboBox>(*view, "Separator")->currentText(), "as found: semicolon");
-    EXPECT_EQ(find<QComboBox>(*view, "Decimal sign")->currentText(), "as found: comma");
+    EXPECT_EQ(find<QComboBox>(*view, "Separator")->currentText(), "detected: semicolon");
+    EXPECT_EQ(find<QComboBox>(*view, "Decimal sign")->currentText(), "detected: comma");
     const Recording recording = import();
     ASSERT_EQ(recording.rows(), 3U);
     EXPECT_DOUBLE_EQ(recording.time_s[2], 0.02);
@@ -135,7 +135,7 @@ TEST_F(ImportViewTest, whatIsAmbiguousIsAskedAndEachAnswerIsRead) {
     const QByteArray text = "1,5\n2,5\n3,5\n";
     look(text);
     EXPECT_FALSE(button().isEnabled());
-    EXPECT_TRUE(reason().startsWith("To be answered above")) << reason().toStdString();
+    EXPECT_TRUE(reason().startsWith("Answer above")) << reason().toStdString();
     ASSERT_NE(question(), nullptr);
     ASSERT_EQ(question()->count(), 3); // Please choose, and two answers
     EXPECT_EQ(cell(0, 0), "1,5");      // as it is
@@ -149,8 +149,8 @@ TEST_F(ImportViewTest, whatIsAmbiguousIsAskedAndEachAnswerIsRead) {
         ASSERT_NE(question(), nullptr) << "where the time is"; // neither has a column of that name
         choose(*question(), question()->count() - 1);
         EXPECT_FALSE(button().isEnabled());
-        EXPECT_TRUE(reason().contains("how many rows")) << reason().toStdString();
-        auto* rate = find<widgets::QuantityEdit>(*view, "Rows a second");
+        EXPECT_TRUE(reason().contains("sampling rate")) << reason().toStdString();
+        auto* rate = find<widgets::QuantityEdit>(*view, "Sample rate");
         EXPECT_TRUE(rate->isEnabled());
         type(rate, "100");
         QTest::keyClick(rate, Qt::Key_Return);
@@ -173,7 +173,7 @@ TEST_F(ImportViewTest, aUnitThatIsNowhereIsAsked) {
     EXPECT_FALSE(button().isEnabled());
     EXPECT_EQ(cell(0, 1), "speed"); // its columns are known, what their numbers mean is not
     EXPECT_EQ(cell(2, 1), "60");
-    choose(*question(), question()->findText("its numbers are in rpm"));
+    choose(*question(), question()->findText("unit of its numbers: rpm"));
     ASSERT_TRUE(button().isEnabled()) << reason().toStdString();
     EXPECT_DOUBLE_EQ(import().values[0], M_PI);
 }
@@ -204,7 +204,7 @@ TEST_F(ImportViewTest, columnsAreNamedAndTheirUnitSaidInTheTable) {
 
 TEST_F(ImportViewTest, whatWasSaidOfAColumnIsTakenBack) {
     look("time_s,speed,x\n0,30,1\n1,60,2\n");
-    choose(*question(), question()->findText("its numbers are in rpm"));
+    choose(*question(), question()->findText("unit of its numbers: rpm"));
     ASSERT_TRUE(button().isEnabled()) << reason().toStdString();
     EXPECT_EQ(rows().item(UnitRow, 1)->text(), "rpm");
     EXPECT_TRUE(isSaid(UnitRow, 1));
@@ -214,7 +214,7 @@ TEST_F(ImportViewTest, whatWasSaidOfAColumnIsTakenBack) {
     EXPECT_FALSE(button().isEnabled()) << "it is asked again";
     ASSERT_NE(question(), nullptr);
     EXPECT_EQ(rows().item(UnitRow, 1)->text(), "");
-    choose(*question(), question()->findText("its numbers are in rad/s"));
+    choose(*question(), question()->findText("unit of its numbers: rad/s"));
     EXPECT_EQ(cell(1, 1), "60");
     write(NameRow, 2, "hall.a");
     ASSERT_NE(question(), nullptr) << "hall.a has a quantity, x has no unit";
@@ -232,8 +232,8 @@ TEST_F(ImportViewTest, whatCannotBeSaidIsRefusedInWordsOfTheWindowAndStaysToBeMe
         const char* said;
     };
     for (const Wrong& wrong :
-         {Wrong{NameRow, "9 lives", "cannot name a signal"}, Wrong{NameRow, "zeit", "it is the time"},
-          Wrong{UnitRow, "furlong", "no unit"}, Wrong{NameRow, "speed", "is in T, but speed is in rad/s"}}) {
+         {Wrong{NameRow, "9 lives", "not allowed as a signal name"}, Wrong{NameRow, "zeit", "it is the time"},
+          Wrong{UnitRow, "furlong", "is not a known unit"}, Wrong{NameRow, "speed", "is in T, but speed is in rad/s"}}) {
         write(wrong.row, 1, wrong.text);
         EXPECT_FALSE(button().isEnabled()) << wrong.text;
         EXPECT_TRUE(message().text.contains(wrong.said)) << message().text.toStdString();
@@ -254,9 +254,9 @@ TEST_F(ImportViewTest, whatCannotBeSaidIsRefusedInWordsOfTheWindowAndStaysToBeMe
 TEST_F(ImportViewTest, columnsOfTheSameHeaderAndWithoutATimeAreNamed) {
     look("x,x\n1,2\n3,4\n");
     auto* time = find<QComboBox>(*view, "Time");
-    choose(*time, time->findText("none: rows a second"));
-    type(find<widgets::QuantityEdit>(*view, "Rows a second"), "10");
-    QTest::keyClick(find<widgets::QuantityEdit>(*view, "Rows a second"), Qt::Key_Return);
+    choose(*time, time->findText("none: use a fixed sampling rate"));
+    type(find<widgets::QuantityEdit>(*view, "Sample rate"), "10");
+    QTest::keyClick(find<widgets::QuantityEdit>(*view, "Sample rate"), Qt::Key_Return);
     settle();
     ASSERT_TRUE(button().isEnabled()) << reason().toStdString() << message().text.toStdString();
     write(NameRow, 2, "second"); // the counted time stands before them
@@ -286,7 +286,7 @@ TEST_F(ImportViewTest, whatTheUserSaysGoesBeforeWhatWasFound) {
     choose(*find<QComboBox>(*view, "Time"), find<QComboBox>(*view, "Time")->findText("column x"));
     EXPECT_FALSE(button().isEnabled()) << "x has no unit";
     ASSERT_NE(question(), nullptr);
-    choose(*question(), question()->findText("its numbers are in ms"));
+    choose(*question(), question()->findText("unit of its numbers: ms"));
     ASSERT_TRUE(button().isEnabled()) << reason().toStdString();
     EXPECT_EQ(cell(0, 1), "0.001");
     choose(*find<QComboBox>(*view, "Separator"), find<QComboBox>(*view, "Separator")->findText("semicolon"));

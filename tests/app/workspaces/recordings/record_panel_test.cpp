@@ -56,15 +56,15 @@ TEST_F(RecordPanelTest, recordsAFileThatOpensAgainWithUnitsMarkersAndChanges) {
     ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
     type(find<QLineEdit>(*panel, "Name of the recording"), "first");
     click(*panel, "Start recording");
-    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 50; }));
-    EXPECT_EQ(figure("Rows missing"), "0");
+    ASSERT_TRUE(wait([&] { return figure("Samples written").toInt() > 50; }));
+    EXPECT_EQ(figure("Samples lost"), "0");
     auto* note = find<QLineEdit>(*panel, "Note of the marker");
     QTest::keyClicks(note, "knock");
     QTest::keyClick(note, Qt::Key_Return);
     bench().writeValues({{"gain.kp", 12.0}}, [](const Result<void>&) {});
     ASSERT_TRUE(wait([&] { return bench().deviceValue("gain.kp").value_or(0.0) == 12.0; }));
-    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 150; }));
-    click(*panel, "End the recording");
+    ASSERT_TRUE(wait([&] { return figure("Samples written").toInt() > 150; }));
+    click(*panel, "Stop recording");
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
 
     const std::string path = folder.filePath("first.csv").toStdString();
@@ -108,8 +108,8 @@ TEST_F(RecordPanelTest, theMaskNamesWhatNobodyNamedAndTheSidecarSaysWhichThatIs)
     for (const char* typed : {"", "a/b"}) {
         type(name, typed);
         click(*panel, "Start recording");
-        ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 5; }));
-        click(*panel, "End the recording");
+        ASSERT_TRUE(wait([&] { return figure("Samples written").toInt() > 5; }));
+        click(*panel, "Stop recording");
         ASSERT_TRUE(wait([&] { return !recording.isRecording(); }));
     }
     EXPECT_EQ(recorded("sim-htm-1 001 recording").meta.automaticName, "sim-htm-1 001 recording");
@@ -119,13 +119,13 @@ TEST_F(RecordPanelTest, theMaskNamesWhatNobodyNamedAndTheSidecarSaysWhichThatIs)
 TEST_F(RecordPanelTest, showsWhatAProjectBringsUnlessSomethingIsRecorded) {
     RecordingControl& recording = bench().recording();
     recording.setChoice({2.5, true, 10.0});
-    EXPECT_EQ(find<widgets::QuantityEdit>(*panel, "Time kept before the start")->value(), 2.5);
+    EXPECT_EQ(find<widgets::QuantityEdit>(*panel, "Pre-trigger time")->value(), 2.5);
     EXPECT_EQ(find<QComboBox>(*panel, "Start of the recording")->currentIndex(), 1);
-    auto* after = find<widgets::QuantityEdit>(*panel, "Time after the trigger");
+    auto* after = find<widgets::QuantityEdit>(*panel, "Post-trigger time");
     EXPECT_EQ(after->value(), 10.0);
     EXPECT_TRUE(after->isEnabled());
     EXPECT_EQ(recording.choice(), (RecordingChoice{2.5, true, 10.0}));
-    set("Time after the trigger", "4");
+    set("Post-trigger time", "4");
     EXPECT_EQ(recording.choice().after_s, 4.0);
     connectTo("sim:htm", 5.0);
     ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Wait for the trigger")->isEnabled(); }));
@@ -154,7 +154,7 @@ TEST_F(RecordPanelTest, aDeviceThatGoesAwayCompletesTheFile) {
     ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
     type(find<QLineEdit>(*panel, "Name of the recording"), "short");
     click(*panel, "Start recording");
-    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 20; }));
+    ASSERT_TRUE(wait([&] { return figure("Samples written").toInt() > 20; }));
     session().disconnectDevice();
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
     const auto file = devices::readRecordingFile(folder.filePath("short.csv").toStdString());
@@ -167,7 +167,7 @@ TEST_F(RecordPanelTest, aProcedureIsRecordedThroughItsOwnStream) {
     ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Start recording")->isEnabled(); }));
     type(find<QLineEdit>(*panel, "Name of the recording"), "move");
     click(*panel, "Start recording");
-    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 20; }));
+    ASSERT_TRUE(wait([&] { return figure("Samples written").toInt() > 20; }));
     bool hasMoved = false;
     session().runProcedure(
         "move",
@@ -179,10 +179,10 @@ TEST_F(RecordPanelTest, aProcedureIsRecordedThroughItsOwnStream) {
         },
         [&hasMoved](const Result<MoveResult>& moved) { hasMoved = moved.has_value(); });
     ASSERT_TRUE(wait([&] { return hasMoved; }));
-    const int before = figure("Rows written").toInt();
+    const int before = figure("Samples written").toInt();
     ASSERT_TRUE(
-        wait([&] { return figure("Rows written").toInt() > before + 50; })); // the panels' stream again
-    click(*panel, "End the recording");
+        wait([&] { return figure("Samples written").toInt() > before + 50; })); // the panels' stream again
+    click(*panel, "Stop recording");
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
     const auto file = devices::readRecordingFile(folder.filePath("move.csv").toStdString());
     ASSERT_TRUE(file) << file.error().message;
@@ -212,12 +212,12 @@ TEST_F(RecordPanelTest, aDiskThatDoesNotKeepUpIsAnErrorWhileItHappensAndAtTheEnd
     type(find<QLineEdit>(*panel, "Name of the recording"), "slow");
     click(*panel, "Start recording");
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Error; }));
-    EXPECT_TRUE(message().text.contains("does not keep up"));
+    EXPECT_TRUE(message().text.contains("too slow"));
     isStuck = false;
-    click(*panel, "End the recording");
+    click(*panel, "Stop recording");
     ASSERT_TRUE(wait([&] { return message().text.contains("slow.csv"); }));
     EXPECT_EQ(message().severity, widgets::Severity::Error);
-    EXPECT_TRUE(message().remedy.contains("did not keep up with")) << message().remedy.toStdString();
+    EXPECT_TRUE(message().remedy.contains("because of a slow disk")) << message().remedy.toStdString();
     const auto file = devices::readRecordingFile(folder.filePath("slow.csv").toStdString());
     ASSERT_TRUE(file) << file.error().message;
     EXPECT_GT(file->meta.droppedRows, 0U);
@@ -225,13 +225,13 @@ TEST_F(RecordPanelTest, aDiskThatDoesNotKeepUpIsAnErrorWhileItHappensAndAtTheEnd
 
 TEST_F(RecordPanelTest, theTimeBeforeTheStartIsInTheRecordingAndItsEndIsMarked) {
     connectTo("sim:htm", 5.0);
-    set("Time kept before the start", "2");
+    set("Pre-trigger time", "2");
     ASSERT_TRUE(wait([&] { return bench().recording().held_s() >= 2.0; }));
-    EXPECT_TRUE(wait([&] { return figure("What the recording waits for").contains("2.0 of 2.0 s"); }));
+    EXPECT_TRUE(wait([&] { return figure("Trigger event of the recording").contains("2.0 of 2.0 s"); }));
     type(find<QLineEdit>(*panel, "Name of the recording"), "before");
     click(*panel, "Start recording");
-    ASSERT_TRUE(wait([&] { return figure("Rows written").toInt() > 250; }));
-    click(*panel, "End the recording");
+    ASSERT_TRUE(wait([&] { return figure("Samples written").toInt() > 250; }));
+    click(*panel, "Stop recording");
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
     const auto file = recorded("before");
     EXPECT_TRUE(file.meta.gaps.empty()) << "the stream did not change when the recording started";
@@ -247,10 +247,10 @@ TEST_F(RecordPanelTest, aRecordingAtTheTriggerWaitsForItAndEndsByItself) {
     choice.source = "hall.a";
     choice.level = 1.0; // T: more than there ever is
     bench().recordingTrigger().setChoice(choice, "Hall A rises through 1000 mT");
-    set("Time kept before the start", "1");
+    set("Pre-trigger time", "1");
     find<QComboBox>(*panel, "Start of the recording")->setCurrentIndex(1);
-    set("Time after the trigger", "0.5");
-    EXPECT_TRUE(figure("What the recording waits for").startsWith("Begins when Hall A rises"));
+    set("Post-trigger time", "0.5");
+    EXPECT_TRUE(figure("Trigger event of the recording").startsWith("Begins when Hall A rises"));
     type(find<QLineEdit>(*panel, "Name of the recording"), "event");
     click(*panel, "Wait for the trigger");
     EXPECT_TRUE(bench().recording().isWaiting());
@@ -259,7 +259,7 @@ TEST_F(RecordPanelTest, aRecordingAtTheTriggerWaitsForItAndEndsByItself) {
     ASSERT_TRUE(wait([&] { return bench().history().range()->end_s > begin_s + 1.5; }));
     EXPECT_EQ(bench().recording().held_s(), 1.0);
     EXPECT_FALSE(bench().recording().isRecording());
-    EXPECT_TRUE(figure("What the recording waits for").startsWith("Waiting until Hall A rises"));
+    EXPECT_TRUE(figure("Trigger event of the recording").startsWith("Waiting until Hall A rises"));
     choice.level = bench().history().latest("hall.a")->value; // in its noise: passed within a few samples
     bench().recordingTrigger().setChoice(choice, "Hall A rises");
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
@@ -279,7 +279,7 @@ TEST_F(RecordPanelTest, aWaitThatIsEndedLeavesNothing) {
     find<QComboBox>(*panel, "Start of the recording")->setCurrentIndex(1);
     click(*panel, "Wait for the trigger");
     EXPECT_FALSE(find<QComboBox>(*panel, "Start of the recording")->isEnabled());
-    click(*panel, "End the wait");
+    click(*panel, "Cancel the wait");
     EXPECT_FALSE(bench().recording().isWaiting());
     click(*panel, "Wait for the trigger");
     session().disconnectDevice();

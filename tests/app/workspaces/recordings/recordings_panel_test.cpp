@@ -127,10 +127,10 @@ TEST_F(RecordingsPanelTest, severalRecordingsAreSeenInALowWindowHoweverLongTheir
     const QRect third = table()->visualRect(table()->model()->index(2, 0));
     EXPECT_LE(third.bottom(), table()->viewport()->height());
     table()->selectAll();
-    auto* align = find<QComboBox>(*panel, "Moment at which they are aligned");
+    auto* align = find<QComboBox>(*panel, "Alignment of the recordings");
     ASSERT_TRUE(wait([&] { return align->count() == 2; }));
     QApplication::processEvents();
-    const auto* shown = find<QComboBox>(*panel, "Shown");
+    const auto* shown = find<QComboBox>(*panel, "Range");
     EXPECT_LE(shown->mapTo(panel.get(), shown->rect().bottomRight()).x(), 700);
 }
 
@@ -140,7 +140,7 @@ TEST_F(RecordingsPanelTest, aRecordingIsHandedToTuneForAWhatIf) {
     open();
     ASSERT_TRUE(listed(1));
     QSignalSpy asked(panel.get(), &RecordingsPanel::whatIfRequested);
-    auto* whatIf = find<QPushButton>(*panel, "What if");
+    auto* whatIf = find<QPushButton>(*panel, "What-if");
     ASSERT_NE(whatIf, nullptr);
     EXPECT_FALSE(whatIf->isEnabled()) << "nothing is selected";
     table()->selectRow(0);
@@ -195,7 +195,7 @@ TEST_F(RecordingsPanelTest, controlReturnPlaysARecordingInThePanelsFromWhereItIs
     ASSERT_TRUE(wait([&] { return bench().history().latest("position").has_value(); }));
     EXPECT_NEAR(bench().history().latest("position")->value, bench().history().latest("position")->time_s,
                 1e-6); // the position is the time
-    auto* from = find<widgets::QuantityEdit>(*panel, "Begin at");
+    auto* from = find<widgets::QuantityEdit>(*panel, "Start at");
     from->setFocus();
     from->selectAll();
     QTest::keyClicks(from, "8");
@@ -213,12 +213,12 @@ TEST_F(RecordingsPanelTest, whereToBeginIsOfOneRecording) {
     write("warm", 2.0);
     open();
     ASSERT_TRUE(listed(2));
-    auto* from = find<widgets::QuantityEdit>(*panel, "Begin at");
+    auto* from = find<widgets::QuantityEdit>(*panel, "Start at");
     table()->selectRow(0);
     from->setValue(3.0);
     QTest::keyClick(panel.get(), Qt::Key_F5);
     EXPECT_EQ(from->value(), 3.0);
-    click(*panel, "Play");
+    click(*panel, "Replay");
     EXPECT_TRUE(wait([&] { return session().report().deviceTime_s >= 3.0; }));
     table()->selectRow(1);
     EXPECT_EQ(from->value(), 0.0);
@@ -230,7 +230,7 @@ TEST_F(RecordingsPanelTest, aReplayLastsAsLongAsTheRecordingAtItsSpeed) {
     ASSERT_TRUE(listed(1));
     bench().setPace({1.0});
     table()->selectRow(0);
-    click(*panel, "Play");
+    click(*panel, "Replay");
     ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
     ASSERT_TRUE(wait([&] { return session().report().deviceTime_s > 0.05; }));
     EXPECT_LT(session().report().deviceTime_s, 9.0) << "not all of it at once";
@@ -247,7 +247,7 @@ TEST_F(RecordingsPanelTest, selectedRecordingsAreLaidOverEachOtherWithOneCursor)
     auto* view = panel->findChild<widgets::FigureView*>();
     ASSERT_TRUE(wait([&] { return !view->isEmpty(); }));
     EXPECT_EQ(view->figure().panels[0].curves.size(), 2U);
-    auto* align = find<QComboBox>(*panel, "Moment at which they are aligned");
+    auto* align = find<QComboBox>(*panel, "Alignment of the recordings");
     const int knock = align->findText("marker: knock");
     ASSERT_GE(knock, 0);
     align->setCurrentIndex(knock);
@@ -262,7 +262,7 @@ TEST_F(RecordingsPanelTest, selectedRecordingsAreLaidOverEachOtherWithOneCursor)
         EXPECT_NEAR(values->item(row, 1)->text().section(' ', 0, 0).toDouble(), expected_deg, 1e-2)
             << values->item(row, 1)->text().toStdString();
     }
-    auto* span = find<QComboBox>(*panel, "Shown");
+    auto* span = find<QComboBox>(*panel, "Range");
     span->setCurrentIndex(span->findData(0.1));
     EXPECT_TRUE(wait([&] { return view->figure().x.max == 1.05; })) << "so much about the cursor";
     align->setCurrentIndex(align->findText("trigger"));
@@ -276,7 +276,7 @@ TEST_F(RecordingsPanelTest, aTriggerIsOfferedOnlyWhenThereIsOne) {
     open();
     ASSERT_TRUE(listed(1));
     table()->selectRow(0);
-    auto* align = find<QComboBox>(*panel, "Moment at which they are aligned");
+    auto* align = find<QComboBox>(*panel, "Alignment of the recordings");
     ASSERT_TRUE(wait([&] { return align->count() > 0; }));
     EXPECT_EQ(align->findText("trigger"), -1);
 }
@@ -287,7 +287,7 @@ TEST_F(RecordingsPanelTest, anArmedDeviceIsNotLeftForARecording) {
     ASSERT_TRUE(listed(1));
     table()->selectRow(0);
     connectTo("sim:htm", 20.0);
-    auto* play = find<QPushButton>(*panel, "Play");
+    auto* play = find<QPushButton>(*panel, "Replay");
     EXPECT_TRUE(wait([&] { return play->isEnabled(); }));
     bench().drive().arm();
     ASSERT_TRUE(wait([&] { return bench().drive().isArmed(); }));
@@ -327,7 +327,7 @@ TEST_F(RecordingsPanelTest, whatAKilledProgramLeftIsRecoveredAtTheStartAndSaid) 
     }
     open();
     ASSERT_TRUE(wait([&] { return message().text.contains("0.02 s"); }));
-    EXPECT_TRUE(message().remedy.contains("Nothing that was written is lost"));
+    EXPECT_TRUE(message().remedy.contains("All written data were recovered"));
     ASSERT_TRUE(listed(1));
     EXPECT_TRUE(wait(
         [&] { return table()->model()->index(0, RecordingsTableModel::Gaps).data().toString().isEmpty(); }));

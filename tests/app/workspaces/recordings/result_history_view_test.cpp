@@ -35,7 +35,7 @@ TEST_F(ResultHistoryViewTest, valuesHaveTheirIntervalsAndDrift) {
     EXPECT_EQ(text(0, 4), QStringLiteral("0.00200 \u00b1 0.00010"));
     EXPECT_TRUE(text(1, 4).contains(QStringLiteral("+50.0 % \u25b2")));
     EXPECT_TRUE(text(2, 4).contains("+1.0 %)"));
-    EXPECT_TRUE(view.item(1, 4)->toolTip().contains("more than both intervals"));
+    EXPECT_TRUE(view.item(1, 4)->toolTip().contains("outside both intervals"));
     EXPECT_EQ(text(0, 7), QStringLiteral("\u2013"));
 }
 

@@ -20,7 +20,7 @@ TEST(DesignNames, everyMethodAndPresetHasATitle) {
         EXPECT_TRUE(isTitled(preset)) << preset;
     }
     EXPECT_EQ(designTitle("pole-placement"), "pole placement");
-    EXPECT_EQ(designTitle("edited"), "edited by hand"); // what the form calls them
+    EXPECT_EQ(designTitle("edited"), "edited manually"); // what the form calls them
     EXPECT_EQ(designTitle("device"), "from the device");
     EXPECT_EQ(designTitle("lqr"), "LQR");
 }

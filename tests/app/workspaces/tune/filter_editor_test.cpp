@@ -51,8 +51,8 @@ protected:
         result.derivative = 0.8;
         return result;
     }
-    static control::ShapedLaw everything() {
-        control::ShapedLaw law;
+    static control::FilteredLaw everything() {
+        control::FilteredLaw law;
         law.gains = gains();
         law.gains.filter_s = 0.1 / 3.0;
         law.proportionalWeight = 0.6;
@@ -61,10 +61,10 @@ protected:
                        control::LeadFilter{40.0, 15.0}, control::LagFilter{2.0, 1.5}};
         return law;
     }
-    control::ShapedLaw law() {
-        const auto found = editor.shaped(gains());
+    control::FilteredLaw law() {
+        const auto found = editor.filtered(gains());
         EXPECT_TRUE(found && *found) << (found ? "nothing shaped" : found.error().message);
-        return found && *found ? **found : control::ShapedLaw{};
+        return found && *found ? **found : control::FilteredLaw{};
     }
     FilterEditor editor;
 };
@@ -81,10 +81,10 @@ TEST_F(FilterEditorTest, whatWasSetComesBackToTheLastDigit) {
 
 // Nothing of it is the board's law, which is what may be applied.
 TEST_F(FilterEditorTest, withNothingItIsTheBoardsLaw) {
-    EXPECT_FALSE(*editor.shaped(gains()));
+    EXPECT_FALSE(*editor.filtered(gains()));
     editor.setShaping(everything());
     editor.setShaping(std::nullopt);
-    EXPECT_FALSE(*editor.shaped(gains()));
+    EXPECT_FALSE(*editor.filtered(gains()));
     QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     EXPECT_EQ(edit("filter1.0"), nullptr);
 }
@@ -113,7 +113,7 @@ TEST_F(FilterEditorTest, filtersAreAddedChosenEditedAndRemovedByKeyboard) {
     EXPECT_TRUE(std::holds_alternative<control::LowPassFilter>(law().filters[0]));
     EXPECT_NE(named("Filter 1: Corner"), nullptr) << "the second one is the first now";
     press("Remove Filter 1");
-    EXPECT_FALSE(*editor.shaped(gains()));
+    EXPECT_FALSE(*editor.filtered(gains()));
 }
 
 TEST_F(FilterEditorTest, weightsAndTheDerivativesFilterAreTyped) {
@@ -130,13 +130,13 @@ TEST_F(FilterEditorTest, weightsAndTheDerivativesFilterAreTyped) {
 TEST_F(FilterEditorTest, whatIsNoNumberIsNamed) {
     press("Weights and filters");
     type("weight.b", "2");
-    auto refused = editor.shaped(gains());
+    auto refused = editor.filtered(gains());
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.find("Weight b of the set-point"), std::string::npos);
+    EXPECT_NE(refused.error().message.find("Set-point weight b (P)"), std::string::npos);
     type("weight.b", "1");
     press("Add a filter");
     type("filter1.0", "x");
-    refused = editor.shaped(gains());
+    refused = editor.filtered(gains());
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("Filter 1: Corner"), std::string::npos) << refused.error().message;
 }

@@ -38,14 +38,14 @@ protected:
     /// Keeps what is proposed under this name, typed into the editor that opens.
     void keepAs(const QString& name) {
         const int rows = table().rowCount();
-        click(panel, "Keep this design");
+        click(panel, "Save design");
         ASSERT_EQ(table().rowCount(), rows + 1);
         auto* editor = table().findChild<QLineEdit*>();
         ASSERT_NE(editor, nullptr);
         editor->selectAll();
         QTest::keyClicks(editor, name);
         QTest::keyClick(editor, Qt::Key_Return);
-        ASSERT_TRUE(wait([&] { return panel.keptDesigns().back().name == name.toStdString(); }));
+        ASSERT_TRUE(wait([&] { return panel.savedDesigns().back().name == name.toStdString(); }));
     }
 };
 
@@ -54,7 +54,7 @@ TEST_F(TuneDesignsTest, aKeptDesignStandsBesideTheProposedOneWithItsFiguresAndCu
     EXPECT_EQ(cell(0, "K_P"), "40");
     EXPECT_EQ(cell(0, "Closed loop"), "stable");
     keepAs("stiff");
-    choose("Where the gains come from", "Method: LQR");
+    choose("Source of the gains", "Method: LQR");
     ASSERT_TRUE(wait([&] { return bench.design()->method == "lqr"; }));
     EXPECT_EQ(cell(0, "Method"), "LQR");
     EXPECT_EQ(cell(1, "Method"), "recommended");
@@ -72,10 +72,10 @@ TEST_F(TuneDesignsTest, aKeptDesignStandsBesideTheProposedOneWithItsFiguresAndCu
 TEST_F(TuneDesignsTest, aKeptDesignIsTakenUpAgainWithEveryDigit) {
     const control::PositionLaw law = bench.design()->law;
     keepAs("stiff");
-    choose("Where the gains come from", "Preset: published");
+    choose("Source of the gains", "Preset: published");
     ASSERT_TRUE(wait([&] { return bench.design()->law.gains.proportional == 10.0; }));
     table().setCurrentCell(1, 0);
-    click(panel, "Take up");
+    click(panel, "Use this design");
     ASSERT_TRUE(wait([&] { return bench.design()->law == law; }));
     EXPECT_EQ(panel.findChild<TuneForm*>()->origin(), TuneForm::Origin::Edited);
 }
@@ -86,15 +86,15 @@ TEST_F(TuneDesignsTest, theListIsWorkedOnByKeyboardAndTakenBack) {
     table().setFocus();
     table().setCurrentCell(1, 0);
     key(Qt::Key_Delete);
-    ASSERT_EQ(panel.keptDesigns().size(), 1U);
+    ASSERT_EQ(panel.savedDesigns().size(), 1U);
     key(Qt::Key_Z, Qt::ControlModifier);
-    ASSERT_EQ(panel.keptDesigns().size(), 2U);
-    EXPECT_EQ(panel.keptDesigns().front().name, "one");
+    ASSERT_EQ(panel.savedDesigns().size(), 2U);
+    EXPECT_EQ(panel.savedDesigns().front().name, "one");
     key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
-    EXPECT_EQ(panel.keptDesigns().size(), 1U);
+    EXPECT_EQ(panel.savedDesigns().size(), 1U);
     table().setCurrentCell(0, 0);
     EXPECT_FALSE(isEnabled(panel, "Remove")); // what is proposed is nothing of the list
-    EXPECT_FALSE(isEnabled(panel, "Take up"));
+    EXPECT_FALSE(isEnabled(panel, "Use this design"));
 }
 
 TEST_F(TuneDesignsTest, aNameThatIsTakenIsRefusedInWords) {
@@ -103,7 +103,7 @@ TEST_F(TuneDesignsTest, aNameThatIsTakenIsRefusedInWords) {
     table().item(2, 0)->setText("one");
     ASSERT_TRUE(wait([&] { return !message().isEmpty(); }));
     EXPECT_TRUE(message().contains("one")) << message().toStdString();
-    EXPECT_EQ(panel.keptDesigns().back().name, "two");
+    EXPECT_EQ(panel.savedDesigns().back().name, "two");
     EXPECT_EQ(table().item(2, 0)->text(), "two");
 }
 
@@ -121,20 +121,20 @@ TEST_F(TuneDesignsTest, aDesignOfAnotherMotorIsJudgedAnewForThisOne) {
 TEST_F(TuneDesignsTest, aDesignWithoutFiguresSaysWhy) {
     keepAs(
         "stiff"); // the others as a project may hold them: gains that no loop can have, and no gains at all
-    auto document = parseJson(panel.keptDesigns().back().document, "test");
+    auto document = parseJson(panel.savedDesigns().back().document, "test");
     ASSERT_TRUE(document);
     JsonValue gains = *document->find("gains");
     JsonValue kp = *gains.find("kp");
     document->set("gains", gains.set("kp", kp.set("value", -1.0)));
-    panel.setKeptDesigns({keptDesign("mad", *toJsonText(*document)), keptDesign("torn", "{")});
-    EXPECT_EQ(cell(2, "Closed loop"), "not judged: the project's entry cannot be read");
-    ASSERT_TRUE(wait([&] { return cell(1, "Closed loop") != "not judged yet"; }));
+    panel.setSavedDesigns({keptDesign("mad", *toJsonText(*document)), keptDesign("torn", "{")});
+    EXPECT_EQ(cell(2, "Closed loop"), "not assessed: project entry cannot be read");
+    ASSERT_TRUE(wait([&] { return cell(1, "Closed loop") != "not assessed yet"; }));
     EXPECT_TRUE(cell(1, "Closed loop").contains("K_P = -1")) << cell(1, "Closed loop").toStdString();
     EXPECT_EQ(cell(1, "Phase margin"), QString());
     EXPECT_GT(table().columnSpan(1, 1), 1); // across the figures that are not there
     EXPECT_EQ(table().columnSpan(0, 1), 1);
     type("gain.kp", "0");
-    EXPECT_TRUE(wait([&] { return cell(0, "Closed loop").startsWith("not judged: "); }))
+    EXPECT_TRUE(wait([&] { return cell(0, "Closed loop").startsWith("not assessed: "); }))
         << cell(0, "Closed loop").toStdString();
 }
 

@@ -1,5 +1,5 @@
 // Gains with weights and filters in the Tune panel: shown, kept, compared, written, applied.
-#include "app/documents/shaped_gains.h"
+#include "app/documents/filtered_gains.h"
 #include "app/workspaces/tune/design_table.h"
 #include "app/workspaces/tune/filter_editor.h"
 #include "app/workspaces/tune/loop_view.h"
@@ -41,10 +41,10 @@ protected:
     void open(const QString& shaping = Shaping) {
         write(shaping);
         click(panel, "Open gains\u2026");
-        ASSERT_TRUE(wait([&] { return isShaped() == !shaping.isEmpty() && shown("gain.kp") == 38.0; }))
+        ASSERT_TRUE(wait([&] { return isFiltered() == !shaping.isEmpty() && shown("gain.kp") == 38.0; }))
             << message().toStdString();
     }
-    bool isShaped() const { return bench.design() && bench.design()->shaped.has_value(); }
+    bool isFiltered() const { return bench.design() && bench.design()->filtered.has_value(); }
     QString outlook() const {
         for (const auto* label : panel.findChildren<QLabel*>()) {
             if (label->isVisible() && label->text().contains("cannot be applied:")) {
@@ -66,45 +66,45 @@ TEST_F(TuneFiltersTest, gainsOfAFileAreShownWithTheirFiltersAndCanBeApplied) {
     EXPECT_TRUE(outlook().isEmpty()) << outlook().toStdString();
     const auto ticks = panel.findChildren<QCheckBox*>();
     const auto found = std::find_if(ticks.begin(), ticks.end(),
-                                    [](const QCheckBox* tick) { return tick->text() == "In small steps"; });
+                                    [](const QCheckBox* tick) { return tick->text() == "Apply gradually"; });
     ASSERT_NE(found, ticks.end());
     QCheckBox* inSteps = *found;
     inSteps->click();
     EXPECT_FALSE(canApply());
-    EXPECT_TRUE(outlook().contains("at once, not in small steps")) << outlook().toStdString();
+    EXPECT_TRUE(outlook().contains("cannot be applied gradually")) << outlook().toStdString();
     inSteps->click();
     EXPECT_TRUE(canApply());
     EXPECT_EQ(shown("weight.b"), 0.6);
     EXPECT_NEAR(shown("filter1.1"), 0.1, 1e-12);
     const auto& design = *bench.design();
-    EXPECT_EQ(design.shaped->filters.size(), 1U);
+    EXPECT_EQ(design.filtered->filters.size(), 1U);
     EXPECT_FALSE(design.robust.gainMargin_ratio == std::nullopt);
     ASSERT_TRUE(design.disturbance && design.predicted.largeStep && design.predicted.step);
     // Every page has its picture, with bands.
-    const std::string band = "5 % to 95 % of the motors";
+    const std::string band = "5-95 % band (motor uncertainty)";
     EXPECT_FALSE(curve("Open loop", band).empty());
     EXPECT_TRUE(wait([&] { return !curve("Predicted step with", band).empty(); }));
     click(panel, "Disturbance");
-    ASSERT_NE(figure("Load worth 0.5 A"), nullptr);
-    EXPECT_FALSE(curve("Load worth 0.5 A", band).empty());
+    ASSERT_NE(figure("Load step equal to 0.5 A"), nullptr);
+    EXPECT_FALSE(curve("Load step equal to 0.5 A", band).empty());
     // Back to a plain law.
-    choose("Where the gains come from", "Method: recommended");
+    choose("Source of the gains", "Method: recommended");
     EXPECT_TRUE(wait([&] { return canApply(); }));
     EXPECT_TRUE(outlook().isEmpty());
-    EXPECT_FALSE(isShaped());
+    EXPECT_FALSE(isFiltered());
 }
 
 TEST_F(TuneFiltersTest, aKeptOneComesBackFromTheProjectAndIsCompared) {
     open();
     click(panel, "Designs");
-    click(panel, "Keep this design");
-    const KeptDesign kept = panel.keptDesigns().back();
-    ASSERT_TRUE(kept.gains && kept.gains->shaped);
-    EXPECT_EQ(*kept.gains->shaped, *bench.design()->shaped);
+    click(panel, "Save design");
+    const KeptDesign kept = panel.savedDesigns().back();
+    ASSERT_TRUE(kept.gains && kept.gains->filtered);
+    EXPECT_EQ(*kept.gains->filtered, *bench.design()->filtered);
     const double margin_deg = bench.design()->predicted.margins.phaseMargin_deg;
     open({}); // the same gains without
     EXPECT_GT(bench.design()->predicted.margins.phaseMargin_deg, margin_deg + 1.0);
-    panel.setKeptDesigns({keptDesign("notched", kept.document)});
+    panel.setSavedDesigns({keptDesign("notched", kept.document)});
     auto& table = *panel.findChild<DesignTable*>()->findChild<QTableWidget*>();
     ASSERT_TRUE(wait([&] { return table.item(1, 1)->text() == "stable"; }))
         << table.item(1, 1)->text().toStdString();
@@ -115,8 +115,8 @@ TEST_F(TuneFiltersTest, aKeptOneComesBackFromTheProjectAndIsCompared) {
     }
     EXPECT_TRUE(isSaid);
     table.setCurrentCell(1, 0);
-    click(panel, "Take up");
-    EXPECT_TRUE(wait([&] { return isShaped(); }));
+    click(panel, "Use this design");
+    EXPECT_TRUE(wait([&] { return isFiltered(); }));
     EXPECT_TRUE(wait([&] { return canApply(); }));
     EXPECT_FALSE(curve("Open loop", "notched").empty());
 }
@@ -126,9 +126,9 @@ TEST_F(TuneFiltersTest, isSavedAsGainsThatReadBackAndAsC) {
     m_saved = m_folder.filePath("out.json");
     click(panel, "Save gains\u2026");
     ASSERT_TRUE(wait([&] { return message().startsWith("Saved as"); })) << message().toStdString();
-    const auto again = readShapedGains(m_saved.toStdString());
+    const auto again = readFilteredGains(m_saved.toStdString());
     ASSERT_TRUE(again) << again.error().message;
-    EXPECT_EQ(again->loopLaw(), LoopLaw(bench.design()->law, bench.design()->shaped));
+    EXPECT_EQ(again->loopLaw(), LoopLaw(bench.design()->law, bench.design()->filtered));
     m_saved = m_folder.filePath("law.c");
     click(panel, "Save gains\u2026");
     ASSERT_TRUE(wait([&] { return QFile::exists(m_saved); })) << message().toStdString();
@@ -142,23 +142,23 @@ TEST_F(TuneFiltersTest, weightsAndFiltersAreEditedTakenBackAndDoneAgain) {
     open({});
     click(panel, "Weights and filters");
     type("weight.b", "0.5");
-    ASSERT_TRUE(wait([&] { return isShaped(); }));
-    EXPECT_EQ(bench.design()->shaped->proportionalWeight, 0.5);
-    EXPECT_EQ(undo()->text(), "&Undo: Edit Weight b of the set-point");
+    ASSERT_TRUE(wait([&] { return isFiltered(); }));
+    EXPECT_EQ(bench.design()->filtered->proportionalWeight, 0.5);
+    EXPECT_EQ(undo()->text(), "&Undo: Edit Set-point weight b (P)");
     click(panel, "Add a filter");
-    ASSERT_TRUE(wait([&] { return isShaped() && bench.design()->shaped->filters.size() == 1; }));
+    ASSERT_TRUE(wait([&] { return isFiltered() && bench.design()->filtered->filters.size() == 1; }));
     EXPECT_TRUE(wait([&] { return canApply(); })) << "this board has filters";
     undo()->trigger();
-    ASSERT_TRUE(wait([&] { return isShaped() && bench.design()->shaped->filters.empty(); }));
+    ASSERT_TRUE(wait([&] { return isFiltered() && bench.design()->filtered->filters.empty(); }));
     undo()->trigger();
     EXPECT_TRUE(wait([&] { return canApply(); })) << "the gains of the file alone";
-    EXPECT_FALSE(isShaped());
+    EXPECT_FALSE(isFiltered());
     EXPECT_EQ(shown("gain.kp"), 38.0);
     redo()->trigger();
     redo()->trigger();
-    EXPECT_TRUE(wait([&] { return isShaped() && bench.design()->shaped->filters.size() == 1; }));
+    EXPECT_TRUE(wait([&] { return isFiltered() && bench.design()->filtered->filters.size() == 1; }));
     type("gain.kp", "30"); // the filters stay around other gains
-    EXPECT_TRUE(wait([&] { return isShaped() && bench.design()->shaped->gains.proportional == 30.0; }));
+    EXPECT_TRUE(wait([&] { return isFiltered() && bench.design()->filtered->gains.proportional == 30.0; }));
 }
 
 TEST_F(TuneFiltersTest, whatIsOpenedAndAddedIsScrolledIntoSight) {
@@ -177,7 +177,7 @@ TEST_F(TuneFiltersTest, whatIsNoFilterIsSaidInPlace) {
     EXPECT_TRUE(wait([&] { return verdict().contains("Filter 1: Depth"); })) << verdict().toStdString();
     EXPECT_FALSE(canApply());
     type("filter1.1", "0.5");
-    EXPECT_TRUE(wait([&] { return isShaped(); }));
+    EXPECT_TRUE(wait([&] { return isFiltered(); }));
 }
 
 // The sliders move the loop that is drawn: with its filters.
@@ -191,11 +191,11 @@ TEST_F(TuneFiltersTest, theSlidersMoveTheFilteredLoop) {
         }
     }
     ASSERT_TRUE(wait([&] {
-        return isShaped() &&
+        return isFiltered() &&
                *bench.design()->predicted.margins.gainCrossover_rad_s < 0.99 * *before.gainCrossover_rad_s;
     }));
     EXPECT_NEAR(bench.design()->predicted.margins.phaseMargin_deg, before.phaseMargin_deg, 0.01);
-    EXPECT_EQ(bench.design()->shaped->filters.size(), 1U);
+    EXPECT_EQ(bench.design()->filtered->filters.size(), 1U);
 }
 
 } // namespace

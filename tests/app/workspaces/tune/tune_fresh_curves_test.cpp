@@ -11,7 +11,7 @@ namespace {
 constexpr const char* Bode = "Open loop";
 constexpr const char* LargeStep = "Predicted step with";
 constexpr const char* SmallStep = "Predicted step of";
-constexpr const char* Load = "Load worth";
+constexpr const char* Load = "Load step equal";
 
 class TuneFreshCurvesTest : public TunePanelTest {
 protected:
@@ -61,13 +61,13 @@ TEST_F(TuneFreshCurvesTest, otherGainsOnTheDeviceAreDrawnWhereverTheyComeFrom) {
 
 TEST_F(TuneFreshCurvesTest, anotherMotorHasOtherCurvesOfTheSameGains) {
     prepare();
-    panel.setKeptDesigns({kept(30.0)});
+    panel.setSavedDesigns({kept(30.0)});
     control::PositionLaw law = bench.design()->law;
     law.gains.proportional = 30.0;
     ASSERT_TRUE(isDrawn("kept", law));
     ASSERT_TRUE(isDrawn("before", onDevice()));
     const auto before = curve(Bode, "before");
-    const auto band = curve(Bode, "5 % to 95 % of the motors");
+    const auto band = curve(Bode, "5-95 % band (motor uncertainty)");
     IdentifyResult stronger = publishedMotor();
     stronger.ratios["phi_over_J"].value = 2.0 * *stronger.ratios["phi_over_J"].value;
     stronger.torqueConstant.value = 2.0 * *stronger.torqueConstant.value;
@@ -75,14 +75,14 @@ TEST_F(TuneFreshCurvesTest, anotherMotorHasOtherCurvesOfTheSameGains) {
     ASSERT_TRUE(wait([&] { return curve(Bode, "before") != before; }));
     EXPECT_TRUE(isDrawn("before", onDevice()));
     EXPECT_TRUE(isDrawn("kept", law));
-    EXPECT_NE(curve(Bode, "5 % to 95 % of the motors"), band);
+    EXPECT_NE(curve(Bode, "5-95 % band (motor uncertainty)"), band);
 }
 
 TEST_F(TuneFreshCurvesTest, aKeptDesignThatBecomesAnotherIsDrawnAsThat) {
     prepare();
     control::PositionLaw law = bench.design()->law;
     for (const double proportional : {30.0, 22.0}) {
-        panel.setKeptDesigns({kept(proportional)}); // under the same name
+        panel.setSavedDesigns({kept(proportional)}); // under the same name
         law.gains.proportional = proportional;
         EXPECT_TRUE(isDrawn("kept", law)) << proportional;
     }

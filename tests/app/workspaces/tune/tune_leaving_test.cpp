@@ -22,7 +22,7 @@ protected:
     QString remedy() const { return panel.findChild<widgets::MessageBar*>()->message().remedy; }
     QStringList designs() const {
         QStringList names;
-        for (const KeptDesign& design : panel.keptDesigns()) {
+        for (const KeptDesign& design : panel.savedDesigns()) {
             names << QString::fromStdString(design.name);
         }
         return names;
@@ -42,9 +42,9 @@ TEST_F(TuneLeavingTest, keptGainsAreADesignOfTheProjectAndLeavingTheirDeviceSays
     EXPECT_TRUE(left.isEmpty());
     disconnect();
     ASSERT_EQ(left.size(), 3);
-    EXPECT_TRUE(left[0].contains("kept on " + device)) << left[0].toStdString();
-    EXPECT_TRUE(left[0].contains("has them no more")) << left[0].toStdString();
-    EXPECT_TRUE(left[1].contains("Take up, then Apply and verify")) << left[1].toStdString();
+    EXPECT_TRUE(left[0].contains(device + " was disconnected")) << left[0].toStdString();
+    EXPECT_TRUE(left[0].contains("is reset on disconnect")) << left[0].toStdString();
+    EXPECT_TRUE(left[1].contains("Use this design, then Apply and verify")) << left[1].toStdString();
     EXPECT_EQ(left[2], "kept on " + device);
     EXPECT_EQ(designs().size(), 1) << "once, not again when it is left";
 
@@ -76,7 +76,7 @@ TEST_F(TuneLeavingTest, restoredGainsLeaveNothingBehind) {
     prepare();
     verify();
     click(panel, "Restore");
-    ASSERT_TRUE(wait([&] { return message().contains("before run again"); }));
+    ASSERT_TRUE(wait([&] { return message().contains("revious gains restored"); }));
     disconnect();
     EXPECT_TRUE(left.isEmpty());
     EXPECT_TRUE(designs().isEmpty());
@@ -86,7 +86,7 @@ TEST_F(TuneLeavingTest, gainsThatWereSavedInTheDeviceAreNotSpokenOf) {
     prepare();
     verify();
     click(panel, "Keep");
-    panel.onSavedInDevice(); // as the Parameters panel says it (app/window/task_flow.cpp)
+    panel.onSavedInDevice(); // as the Parameters panel says it (app/window/panel_connections.cpp)
     disconnect();
     EXPECT_TRUE(left.isEmpty());
 }
@@ -97,7 +97,7 @@ TEST_F(TuneLeavingTest, disconnectingWhileItVerifiesSaysWhyItEnded) {
     click(panel, "Apply and verify");
     ASSERT_TRUE(wait([&] { return bench.session().report().board.isArmed; }));
     disconnect();
-    EXPECT_TRUE(message().contains("because the device was disconnected")) << message().toStdString();
+    EXPECT_TRUE(message().contains("Stopped: the device was disconnected")) << message().toStdString();
     EXPECT_TRUE(remedy().contains("disarmed")) << remedy().toStdString();
     EXPECT_TRUE(left.isEmpty()) << "the gains from before were put back";
 }

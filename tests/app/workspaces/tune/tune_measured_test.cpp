@@ -42,10 +42,10 @@ TEST_F(TuneMeasuredTest, isDrawnWithTheProposedGainsAndFollowsThem) {
     click(panel, "Measured response\u2026");
     ASSERT_TRUE(wait([&] { return !curve("Open loop", "measured").empty(); })) << message().toStdString();
     EXPECT_EQ(curve("Open loop", "measured").size(), 3U);
-    EXPECT_EQ(curve("Open loop", "measured, not coherent").size(), 1U);
+    EXPECT_EQ(curve("Open loop", "measured, low coherence").size(), 1U);
     EXPECT_NEAR(curve("Open loop", "measured").front(), 28.6, 0.3);
-    EXPECT_TRUE(message().contains("measured response")) << message().toStdString();
-    choose("Where the gains come from", "Method: LQR");
+    EXPECT_TRUE(message().contains("response")) << message().toStdString();
+    choose("Source of the gains", "Method: LQR");
     ASSERT_TRUE(wait([&] { return std::abs(curve("Open loop", "measured").front() - 28.6) > 1.0; }));
     click(panel, "Remove the response");
     EXPECT_TRUE(curve("Open loop", "measured").empty());
@@ -71,9 +71,9 @@ TEST_F(TuneMeasuredTest, isDrawnIntoNyquistAndNicholsToo) {
     ASSERT_TRUE(wait([&] { return !curve("Open loop", "measured").empty(); })) << message().toStdString();
     for (const auto& [view, title] : {std::pair("Nyquist", "Nyquist plot of the open loop"),
                                       std::pair("Nichols", "Nichols plot of the open loop")}) {
-        choose("View of the open loop", view);
+        choose("Open-loop plot", view);
         EXPECT_EQ(curve(title, "measured").size(), 3U) << view;
-        EXPECT_EQ(curve(title, "measured, not coherent").size(), 1U) << view;
+        EXPECT_EQ(curve(title, "measured, low coherence").size(), 1U) << view;
     }
 }
 

@@ -79,14 +79,14 @@ TEST_F(TunePicturesTest, whatALoadDoesStandsAmongTheNumbersWithItsIntervalAndIts
     const auto& disturbance = bench.design()->disturbance;
     ASSERT_TRUE(disturbance && disturbance->band && disturbance->step.recoveryTime_s);
     const auto numbers = tuneNumbers(*bench.design(), std::nullopt, {});
-    EXPECT_TRUE(number(numbers, "Peak under a load worth 0.5 A").proposed.endsWith("\u00b0"));
-    EXPECT_TRUE(number(numbers, "Peak under a load worth 0.5 A").interval.contains(" to "));
-    EXPECT_TRUE(number(numbers, "Recovered").proposed.startsWith("after "));
+    EXPECT_TRUE(number(numbers, "Peak after a load step equal to 0.5 A").proposed.endsWith("\u00b0"));
+    EXPECT_TRUE(number(numbers, "Peak after a load step equal to 0.5 A").interval.contains(" to "));
+    EXPECT_TRUE(number(numbers, "Settling after load").proposed.startsWith("after "));
     TuneResult unknown = *bench.design();
     unknown.disturbance->band.reset();
-    EXPECT_EQ(number(tuneNumbers(unknown, std::nullopt, {}), "Recovered").interval, "not known");
+    EXPECT_EQ(number(tuneNumbers(unknown, std::nullopt, {}), "Settling after load").interval, "not known");
     click(panel, "Disturbance");
-    const auto& curves = figure("Load worth 0.5 A")->figure().panels.at(0).curves;
+    const auto& curves = figure("Load step equal to 0.5 A")->figure().panels.at(0).curves;
     EXPECT_TRUE(std::any_of(curves.begin(), curves.end(),
                             [](const auto& each) { return each.style == widgets::CurveStyle::Band; }));
 }
@@ -107,7 +107,7 @@ TEST_F(TunePicturesTest, figuresAndGainsFollowThePreferredAngle) {
     EXPECT_EQ(unit("Verification"), "deg");
     EXPECT_NEAR(curve("Verification", "measured").back(), rad * 180.0 / M_PI, 1e-9);
     EXPECT_NE(button(panel, "Step of 100\u00b0"), nullptr);
-    EXPECT_TRUE(agreement().contains(QRegularExpression("farthest from the prediction, [0-9.]+\u00b0")))
+    EXPECT_TRUE(agreement().contains(QRegularExpression("max. deviation from the prediction [0-9.]+\u00b0")))
         << agreement().toStdString();
     EXPECT_NEAR(shown("gain.kp"), 40.0 / 57.29578, 1e-4);
     choose("Unit of the gains", "A/rad"); // in place
@@ -128,20 +128,20 @@ TEST_F(TunePicturesTest, everyPictureIsReachedByItsButtonAndTheArrowKeys) {
 
 TEST_F(TunePicturesTest, theOpenLoopIsSeenInFiveWays) {
     prepare();
-    choose("View of the open loop", "Nyquist");
+    choose("Open-loop plot", "Nyquist");
     ASSERT_NE(figure("Nyquist plot"), nullptr);
     EXPECT_TRUE(figure("Nyquist plot")->isVisible());
-    choose("View of the open loop", "Nichols");
+    choose("Open-loop plot", "Nichols");
     EXPECT_NE(figure("Nichols plot"), nullptr);
-    choose("View of the open loop", "Sensitivity");
+    choose("Open-loop plot", "Sensitivity");
     ASSERT_NE(figure("Sensitivity and closed loop"), nullptr);
-    choose("Where the gains come from", "Preset: published"); // the view stays
+    choose("Source of the gains", "Preset: published"); // the view stays
     EXPECT_TRUE(wait([&] { return bench.design() && bench.design()->law.gains.proportional == 10.0; }));
     EXPECT_NE(figure("Sensitivity and closed loop"), nullptr);
-    choose("View of the open loop", "Root locus");
+    choose("Open-loop plot", "Root locus");
     ASSERT_NE(figure("Root locus"), nullptr);
     EXPECT_TRUE(figure("Root locus")->isVisible());
-    choose("View of the open loop", "Bode");
+    choose("Open-loop plot", "Bode");
     EXPECT_NE(figure("Open loop"), nullptr);
 }
 
@@ -153,12 +153,12 @@ TEST_F(TunePicturesTest, theFrequencyThatIsReadStaysFromViewToView) {
     EXPECT_NEAR(read_Hz, 3.0, 0.05); // the nearest of 400 samples
     EXPECT_TRUE(view->probeText().contains("phase")) << view->probeText().toStdString();
     for (const char* other : {"Nyquist", "Nichols", "Sensitivity", "Bode"}) {
-        choose("View of the open loop", other);
+        choose("Open-loop plot", other);
         EXPECT_EQ(view->probedAlong(), read_Hz) << other;
     }
-    choose("View of the open loop", "Root locus"); // has none
+    choose("Open-loop plot", "Root locus"); // has none
     EXPECT_FALSE(view->probedAlong());
-    choose("View of the open loop", "Nyquist");
+    choose("Open-loop plot", "Nyquist");
     EXPECT_EQ(view->probedAlong(), read_Hz);
 }
 
@@ -182,7 +182,7 @@ TEST_F(TunePicturesTest, frequenciesAreInThePreferredUnitAndTheHandlesStayWhereT
     EXPECT_TRUE(wait([&] {
         return std::abs(view->handles().at(0).x - 2.0 * M_PI * 1.02 * crossover_Hz) < 0.02 * crossover_Hz;
     }));
-    choose("View of the open loop", "Nyquist");
+    choose("Open-loop plot", "Nyquist");
     EXPECT_EQ(view->figure().parameter->unit, "rad/s");
 }
 
@@ -203,7 +203,7 @@ TEST_F(TunePicturesTest, thePhaseIsDrawnWithinHalfATurnWhenWanted) {
     QTest::keyClick(wrap, Qt::Key_Space);
     EXPECT_GE(lowest(), -180.0);
     EXPECT_EQ(figure("Open loop")->figure().panels.at(1).y.max, 180.0);
-    choose("View of the open loop", "Nyquist");
+    choose("Open-loop plot", "Nyquist");
     EXPECT_FALSE(wrap->isVisible()); // is of the Bode plot
 }
 
@@ -239,12 +239,14 @@ TEST_F(TunePicturesTest, theNumbersOfAPictureAreSavedAsATable) {
 TEST_F(TunePicturesTest, whatALoadDoesIsSeenBesideTheStep) {
     prepare();
     click(panel, "Disturbance");
-    ASSERT_NE(figure("Load worth 0.5 A"), nullptr);
-    EXPECT_TRUE(figure("Load worth 0.5 A")->isVisible());
-    const auto peak = [&] { return figure("Load worth 0.5 A")->figure().panels.at(0).lines.at(0).at; };
+    ASSERT_NE(figure("Load step equal to 0.5 A"), nullptr);
+    EXPECT_TRUE(figure("Load step equal to 0.5 A")->isVisible());
+    const auto peak = [&] {
+        return figure("Load step equal to 0.5 A")->figure().panels.at(0).lines.at(0).at;
+    };
     const double before_rad = peak();
     EXPECT_GT(before_rad, 0.5 / 40.0 * 0.5); // of the order of the load over K_P
-    choose("Where the gains come from", "Preset: published");
+    choose("Source of the gains", "Preset: published");
     EXPECT_TRUE(wait([&] { return peak() > 2.0 * before_rad; }));
 }
 

@@ -39,7 +39,7 @@ protected:
     }
     void open(const QString& path) {
         chosen = path;
-        click(panel, "What if");
+        click(panel, "What-if");
         click(panel,
               panel.findChild<WhatIfPage*>()->isUsed() ? "Another move\u2026" : "Open a recorded move");
     }
@@ -63,10 +63,10 @@ TEST_F(TuneRecordingTest, aRecordingIsShownWithWhatTheProposedGainsWouldHaveMade
     bench.setIdentification(publishedMotor());
     ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
     open(recorded("move.csv"));
-    ASSERT_TRUE(wait([&] { return !drawn("nine tenths of such moves").empty(); })) << said().toStdString();
+    ASSERT_TRUE(wait([&] { return !drawn("90 % band").empty(); })) << said().toStdString();
     EXPECT_TRUE(panel.findChild<WhatIfPage*>()->isVisible());
-    EXPECT_TRUE(said().contains("move.csv: the identified loop explains")) << said().toStdString();
-    EXPECT_TRUE(said().contains("this move would overshoot by")) << said().toStdString();
+    EXPECT_TRUE(said().contains("move.csv: the identified model matches")) << said().toStdString();
+    EXPECT_TRUE(said().contains("With the proposed gains: overshoot")) << said().toStdString();
     // Second route: what the command line computes of the same file, motor and gains.
     const auto ran = readRanMove(chosen.toStdString(), {}, *loopConditionsOf("htm"));
     ASSERT_TRUE(ran);
@@ -87,11 +87,11 @@ TEST_F(TuneRecordingTest, theCurveFollowsTheGainsAndTheGainsThatRanHaveTheRecord
         const auto now = drawn("with the proposed gains");
         return !now.empty() && now != before;
     }));
-    choose("Where the gains come from", "Preset: published");
-    EXPECT_TRUE(wait([&] { return said().contains("those that ran"); })) << said().toStdString();
+    choose("Source of the gains", "Preset: published");
+    EXPECT_TRUE(wait([&] { return said().contains("equal the recorded gains"); })) << said().toStdString();
     EXPECT_TRUE(drawn("with the proposed gains").empty());
     type("gain.kp", "400");
-    EXPECT_TRUE(wait([&] { return said().contains("withheld"); })) << said().toStdString();
+    EXPECT_TRUE(wait([&] { return said().contains("no prediction"); })) << said().toStdString();
     EXPECT_TRUE(drawn("with the proposed gains").empty()) << "unstable";
 }
 
@@ -99,8 +99,8 @@ TEST_F(TuneRecordingTest, theCurveFollowsTheGainsAndTheGainsThatRanHaveTheRecord
 TEST_F(TuneRecordingTest, aRecordOfAnotherMotorIsWithheldWithTheReason) {
     bench.setIdentification(publishedMotor());
     open(recorded("other.csv", "seed=3&J=1.65e-3"));
-    ASSERT_TRUE(wait([&] { return said().contains("withheld"); })) << said().toStdString();
-    EXPECT_TRUE(said().contains("does not explain the recorded move")) << said().toStdString();
+    ASSERT_TRUE(wait([&] { return said().contains("no prediction"); })) << said().toStdString();
+    EXPECT_TRUE(said().contains("does not match the recorded move")) << said().toStdString();
     EXPECT_TRUE(drawn("with the proposed gains").empty());
     EXPECT_FALSE(drawn("recorded").empty());
     // Another identification is another judgement of the same recording.
@@ -110,7 +110,7 @@ TEST_F(TuneRecordingTest, aRecordOfAnotherMotorIsWithheldWithTheReason) {
         heavy.ratios[ratio].value = *heavy.ratios[ratio].value / 3.0;
     }
     bench.setIdentification(heavy);
-    EXPECT_TRUE(wait([&] { return !said().contains("does not explain"); })) << said().toStdString();
+    EXPECT_TRUE(wait([&] { return !said().contains("does not match"); })) << said().toStdString();
 }
 
 TEST_F(TuneRecordingTest, whatIsNoMoveIsRefusedInPlaceAndTheOneBeforeStays) {
@@ -141,12 +141,12 @@ TEST_F(TuneRecordingTest, gainsThatAreNotRecordedAreAskedFor) {
     ASSERT_TRUE(writeFile(gainsPath().toStdString(), *toJsonText(gainsDocument(header, *gains))));
     bench.setIdentification(publishedMotor());
     open(withoutSidecar(recorded("bare.csv")));
-    ASSERT_TRUE(wait([&] { return message().contains("is not recorded beside it"); }))
+    ASSERT_TRUE(wait([&] { return message().contains("not in its .meta.json file"); }))
         << message().toStdString();
-    click(panel, "Gains that ran\u2026");
+    click(panel, "Recorded gains…");
     ASSERT_TRUE(wait([&] { return !drawn("recorded").empty(); })) << message().toStdString();
-    EXPECT_TRUE(wait([&] { return said().contains("explains"); })) << said().toStdString();
-    EXPECT_EQ(asked.back(), "Open the gains that ran");
+    EXPECT_TRUE(wait([&] { return said().contains("matches"); })) << said().toStdString();
+    EXPECT_EQ(asked.back(), "Open the active gains of the recording");
 }
 
 TEST_F(TuneRecordingTest, itGoesWhenItIsRemovedAndWithItsProject) {
@@ -179,8 +179,10 @@ TEST_F(TuneRecordingTest, nothingWaitsForIt) {
                            [&](const QString& word) { return said().contains(word); });
     };
     open(path);
-    ASSERT_TRUE(wait([&] { return isSaid({"is being judged"}); })) << said().toStdString();
-    ASSERT_TRUE(wait([&] { return isSaid({"explains", "withheld", "doubtful"}); })) << said().toStdString();
+    ASSERT_TRUE(wait([&] { return isSaid({"Assessing"}); })) << said().toStdString();
+    ASSERT_TRUE(wait([&] {
+        return isSaid({"matches", "no prediction", "doubtful"});
+    })) << said().toStdString();
     EXPECT_LT(longest_ms, whole.elapsed() / 2) << "between two rounds of the event loop";
 }
 

@@ -164,7 +164,7 @@ TEST_F(TuneShapingTest, whatCannotBeReachedIsSaidInPlaceAndTheLoopStaysStable) {
     QSlider* speed = slider("speed");
     speed->setFocus();
     QTest::keyClick(speed, Qt::Key_End);
-    EXPECT_TRUE(note().startsWith("Only ")) << note().toStdString();
+    EXPECT_TRUE(note().startsWith("Limited to ")) << note().toStdString();
     ASSERT_TRUE(isJudged());
     EXPECT_TRUE(bench.design()->predicted.isStable);
     EXPECT_GE(margins().phaseMargin_deg, 37.8); // the margin is kept
@@ -176,7 +176,7 @@ TEST_F(TuneShapingTest, whatCannotBeReachedIsSaidInPlaceAndTheLoopStaysStable) {
 
 TEST_F(TuneShapingTest, aPoleIsDraggedAlongItsBranch) {
     identify();
-    choose("View of the open loop", "Root locus");
+    choose("Open-loop plot", "Root locus");
     const auto poles = bench.design()->predicted.roots.closedLoop;
     ASSERT_EQ(picture().handles().size(),
               static_cast<std::size_t>(
@@ -198,7 +198,7 @@ TEST_F(TuneShapingTest, aPoleIsDraggedAlongItsBranch) {
 
 TEST_F(TuneShapingTest, noPullMakesTheLoopUnstable) {
     identify();
-    choose("View of the open loop", "Root locus");
+    choose("Open-loop plot", "Root locus");
     for (const QPoint& way : {QPoint{400, 0}, {-600, 0}, {0, -600}, {0, 900}}) {
         for (int handle = 0; handle < static_cast<int>(picture().handles().size()); ++handle) {
             if (!picture().handlePlace(handle)) {
@@ -216,7 +216,7 @@ TEST_F(TuneShapingTest, noPullMakesTheLoopUnstable) {
 
 TEST_F(TuneShapingTest, theBandOfTheMotorsFollowsWhileSomethingIsHeldAndTheLargeStepsComesAfterwards) {
     identify();
-    const std::string band = "5 % to 95 % of the motors";
+    const std::string band = "5-95 % band (motor uncertainty)";
     ASSERT_TRUE(wait([&] { return !curve("Predicted step with", band).empty(); }));
     const auto before = curve("Open loop", band);
     ASSERT_FALSE(before.empty());
@@ -242,7 +242,7 @@ TEST_F(TuneShapingTest, editsMethodsAndTargetsAreTakenBackInOrder) {
     type("gain.kp", "20");
     ASSERT_TRUE(isJudged());
     EXPECT_EQ(undo()->text(), "&Undo: Edit Proportional K_P"); // two keys, one step
-    choose("Where the gains come from", "Method: bandwidth");
+    choose("Source of the gains", "Method: bandwidth");
     type("bandwidth-hz", "6");
     ASSERT_TRUE(wait([&] { return bench.design() && bench.design()->targets.bandwidth_Hz == 6.0; }));
     QApplication::setActiveWindow(&panel);

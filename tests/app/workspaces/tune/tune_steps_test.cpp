@@ -8,7 +8,7 @@ class TuneStepsTest : public TunePanelTest {
 protected:
     QCheckBox* inSteps() const {
         for (auto* box : panel.findChildren<QCheckBox*>()) {
-            if (box->accessibleName() == "In small steps") {
+            if (box->accessibleName() == "Apply gradually") {
                 return box;
             }
         }
@@ -30,11 +30,11 @@ protected:
 
 TEST_F(TuneStepsTest, whatItDoesIsSaidBeforeItIsPressed) {
     prepare();
-    EXPECT_TRUE(says("The rotor will turn by 0.5 rad"));
+    EXPECT_TRUE(says("Verification: 0.5 rad"));
     inSteps()->setFocus();
     QTest::keyClick(inSteps(), Qt::Key_Space);
-    EXPECT_TRUE(says("After each step the rotor will turn by 0.5 rad, to and fro"));
-    EXPECT_FALSE(says("The rotor will turn"));
+    EXPECT_TRUE(says("Verification after each step: 0.5 rad forth and back"));
+    EXPECT_FALSE(says("Verification: "));
 }
 
 TEST_F(TuneStepsTest, theyLeadToTheProposedGains) {
@@ -50,7 +50,7 @@ TEST_F(TuneStepsTest, theyLeadToTheProposedGains) {
                             [](const QString& text) { return text.startsWith("step 3 of 8"); }));
     EXPECT_TRUE(hasVerification()); // of the last one
     click(panel, "Restore");
-    ASSERT_TRUE(wait([&] { return message().contains("before run again"); }));
+    ASSERT_TRUE(wait([&] { return message().contains("revious gains restored"); }));
     EXPECT_EQ(valuesNow(), before) << "those of before all steps";
 }
 
@@ -60,9 +60,9 @@ TEST_F(TuneStepsTest, aMotorThatMovesOtherwiseHasItsOldGains) {
     ASSERT_TRUE(wait([&] { return canApply(); }));
     const auto before = valuesNow();
     applyInSteps();
-    ASSERT_TRUE(wait([&] { return message().contains("left the predicted band"); }))
+    ASSERT_TRUE(wait([&] { return message().contains("outside the predicted band"); }))
         << message().toStdString();
-    EXPECT_TRUE(message().startsWith("Not kept, the gains from before run again"));
+    EXPECT_TRUE(message().startsWith("Not kept, previous gains restored"));
     EXPECT_EQ(valuesNow(), before);
     EXPECT_EQ(button(panel, "Keep"), nullptr);
 }

@@ -22,15 +22,15 @@ TEST_F(TuneVerificationTest, howFarAndHowLongItTurnsIsSaidBeforehandInTheUnitsOf
     const auto says = [this](const char* part) {
         const auto labels = panel.findChildren<QLabel*>();
         return std::any_of(labels.begin(), labels.end(), [part](const QLabel* label) {
-            return label->isVisible() && label->text().contains("The rotor will turn") &&
+            return label->isVisible() && label->text().contains("Device stops at") &&
                    plain(label->text()).contains(part);
         });
     };
     // Half a radian; the board's window is twice that and a quarter of a turn (move_procedure.cpp).
-    EXPECT_TRUE(says("by 0.5 rad, in 3.1 s"));
+    EXPECT_TRUE(says("Verification: 0.5 rad in 3.1 s"));
     EXPECT_TRUE(says("at 2.57 rad or 40 rad/s"));
     bench.setDisplayUnits({widgets::AngleUnit::Degree, SpeedUnit::TurnsPerMinute});
-    EXPECT_TRUE(says("by 28.6\u00b0, in 3.1 s"));
+    EXPECT_TRUE(says("Verification: 28.6\u00b0 in 3.1 s"));
     EXPECT_TRUE(says("at 147\u00b0 or 382 r/min"));
     panel.resize(900, 420);
     EXPECT_TRUE(isWhole(panel, "Apply and verify"));
@@ -82,7 +82,7 @@ TEST_F(TuneVerificationTest, thatTheKeptGainsRunIsNotSaidOfAnotherDevice) {
     prepare();
     verify();
     click(panel, "Keep");
-    EXPECT_EQ(message(), "The new gains run until the simulated device is disconnected.");
+    EXPECT_EQ(message(), "New gains active until disconnect.");
     EXPECT_TRUE(hasVerification());
     connectMotor("sim:htm?seed=9", 0.0); // leaves the one before
     ASSERT_TRUE(wait([&] { return bench.session().info().uri == "sim:htm?seed=9"; }));
@@ -95,10 +95,10 @@ TEST_F(TuneVerificationTest, itIsNotSaidOfGainsThatWereTypedSince) {
     verify();
     ASSERT_TRUE(agreement().startsWith("Within the predicted band\n")) << agreement().toStdString();
     click(panel, "Keep");
-    ASSERT_EQ(message(), "The new gains run until the simulated device is disconnected.");
+    ASSERT_EQ(message(), "New gains active until disconnect.");
     type("gain.kp", "500");
-    ASSERT_TRUE(wait([&] { return verdict().startsWith("Refused"); })) << verdict().toStdString();
-    EXPECT_TRUE(agreement().contains("not those shown now")) << agreement().toStdString();
+    ASSERT_TRUE(wait([&] { return verdict().startsWith("Rejected"); })) << verdict().toStdString();
+    EXPECT_TRUE(agreement().contains("not those shown")) << agreement().toStdString();
     EXPECT_TRUE(message().isEmpty()) << message().toStdString();
     panel.historyActions().front()->trigger(); // the gains that were verified
     EXPECT_TRUE(wait([&] { return agreement().startsWith("Within the predicted band\n"); }))
@@ -114,7 +114,7 @@ TEST_F(TuneVerificationTest, itEndsWithItsMotorWhoseGainsCanStillBeRestored) {
     EXPECT_FALSE(hasVerification());
     EXPECT_TRUE(message().isEmpty()) << message().toStdString();
     click(panel, "Restore"); // the device is the same
-    ASSERT_TRUE(wait([&] { return message().contains("before run again"); }));
+    ASSERT_TRUE(wait([&] { return message().contains("revious gains restored"); }));
     EXPECT_EQ(valuesNow(), before);
 }
 
@@ -145,11 +145,11 @@ TEST_F(TuneVerificationTest, theNextOneBeginsWithoutTheVerdictBefore) {
     click(panel, "Apply and verify");
     ASSERT_TRUE(wait([&] { return !said.isEmpty(); }));
     EXPECT_FALSE(hadOld);
-    EXPECT_TRUE(said.contains("This verification is running")) << said.toStdString();
-    EXPECT_FALSE(said.contains("Another procedure") || said.contains("by hand")) << said.toStdString();
+    EXPECT_TRUE(said.contains("Verification running")) << said.toStdString();
+    EXPECT_FALSE(said.contains("Another procedure") || said.contains("manually")) << said.toStdString();
     bench.session().setPace({0.0});
     ASSERT_TRUE(wait([&] { return bench.session().procedure().isEmpty() && hasVerification(); }));
-    EXPECT_FALSE(checks().contains("is running")) << checks().toStdString();
+    EXPECT_FALSE(checks().contains("running")) << checks().toStdString();
 }
 
 } // namespace

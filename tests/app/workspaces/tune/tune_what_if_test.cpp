@@ -7,7 +7,7 @@ namespace {
 class TuneWhatIfTest : public TunePanelTest {
 protected:
     static constexpr const char* Predicted = "with the proposed gains";
-    static constexpr const char* Band = "nine tenths of such moves";
+    static constexpr const char* Band = "90 % band";
 
     std::vector<double> whatIf() const { return curve("Verification", Predicted); }
     QString remarks() const { return panel.findChild<widgets::VerdictView*>("agreement")->text(); }
@@ -27,7 +27,7 @@ TEST_F(TuneWhatIfTest, theMeasuredMoveIsDrawnAsItWouldBeWithTheProposedGains) {
     prepare();
     verify();
     EXPECT_TRUE(whatIf().empty()) << "the gains that ran have the record itself";
-    choose("Where the gains come from", "Method: pole placement");
+    choose("Source of the gains", "Method: pole placement");
     ASSERT_TRUE(wait([&] { return !whatIf().empty(); })) << verdict().toStdString();
     ASSERT_TRUE(wait([&] { return !curve("Verification", Band).empty(); }));
     const auto measured = curve("Verification", "measured");
@@ -36,10 +36,9 @@ TEST_F(TuneWhatIfTest, theMeasuredMoveIsDrawnAsItWouldBeWithTheProposedGains) {
     const std::vector<double> predicted = whatIf();
     EXPECT_GT(*std::max_element(predicted.begin(), predicted.end()),
               *std::max_element(measured.begin(), measured.end()) + 0.02);
-    EXPECT_TRUE(wait([&] { return words().contains("this move would overshoot by"); }))
+    EXPECT_TRUE(wait([&] { return words().contains("With the proposed gains: overshoot"); }))
         << words().toStdString();
-    EXPECT_TRUE(wait([&] { return words().contains("magnify what the model does not know"); }))
-        << words().toStdString();
+    EXPECT_TRUE(wait([&] { return words().contains("amplify model errors"); })) << words().toStdString();
 }
 
 TEST_F(TuneWhatIfTest, itFollowsTheGains) {
@@ -56,9 +55,8 @@ TEST_F(TuneWhatIfTest, unstableGainsHaveNoneAndSayWhy) {
     prepare();
     verify();
     type("gain.kp", "400");
-    EXPECT_TRUE(wait([&] {
-        return words().contains("What the proposed gains would make of this move is not said");
-    })) << words().toStdString();
+    EXPECT_TRUE(wait([&] { return words().contains("No prediction for the proposed gains"); }))
+        << words().toStdString();
     EXPECT_TRUE(whatIf().empty());
 }
 
@@ -69,7 +67,7 @@ TEST_F(TuneWhatIfTest, aRecordOfAnotherMotorHasNone) {
     click(panel, "Apply and verify");
     ASSERT_TRUE(wait([&] { return message().contains("Not kept"); })) << message().toStdString();
     type("gain.kp", "20");
-    EXPECT_TRUE(wait([&] { return words().contains("does not explain the recorded move"); }))
+    EXPECT_TRUE(wait([&] { return words().contains("does not match the recorded move"); }))
         << words().toStdString();
     EXPECT_TRUE(whatIf().empty());
 }

@@ -1,6 +1,8 @@
-#include "devices/open/open_device.h"
+#include "devices/device_uri.h"
+#include "devices/open/port_address.h"
 #include "tests/devices/firmware/avr/avr_fixture.h"
-#include "tests/devices/firmware/avr/simavr/avr_line.h"
+#include "tests/devices/firmware/avr/simavr/served_avr_board.h"
+#include "tests/devices/firmware/line/board_time_port.h"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +12,12 @@
 namespace halbench::simavr {
 namespace {
 
-/// The board at wall speed on a pseudo terminal, served in a thread.
+/// The board on a pseudo terminal, served in a thread.
 class AvrSerial : public testing::Test {
 protected:
     void SetUp() override {
         m_board = makeBoard(perfectMotor());
-        auto line = AvrLine::open(m_board);
+        auto line = firmware::BoardLine::open(std::make_shared<ServedAvrBoard>(m_board));
         ASSERT_TRUE(line) << line.error().message;
         m_line = std::move(*line);
         m_server = std::thread([this] { m_line->serve(m_isEnding); });
@@ -27,7 +29,14 @@ protected:
         }
     }
     std::unique_ptr<devices::Device> open() {
-        auto device = devices::openDevice("serial:" + m_line->path(), {});
+        const auto uri = devices::parseDeviceUri("serial:" + m_line->path());
+        auto port = devices::makeSerialTransport(*uri);
+        EXPECT_TRUE(port) << port.error().message;
+        devices::XcpDeviceOptions options;
+        options.identity.uri = uri->text;
+        options.identity.transport = uri->scheme;
+        auto device = devices::openXcpDevice(
+            std::make_unique<firmware::BoardTimePort>(*std::move(port), *m_line), options);
         EXPECT_TRUE(device) << device.error().message << " " << device.error().hint;
         return device ? std::move(*device) : nullptr;
     }
@@ -44,7 +53,7 @@ protected:
     }
 
     std::shared_ptr<AvrBoard> m_board;
-    std::unique_ptr<AvrLine> m_line;
+    std::unique_ptr<firmware::BoardLine> m_line;
     std::atomic<int> m_isEnding{0};
     std::thread m_server;
 };

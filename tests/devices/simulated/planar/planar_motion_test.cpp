@@ -150,6 +150,96 @@ TEST(PlanarMotion, travelsInATrapezoidLikeThePublishedMachine) {
     EXPECT_NEAR(y.current_A, 0.098, 0.02 * 0.098 + 0.005);
 }
 
+/// Largest distance of the true platen from a circle around where it starts, and of its reference from it.
+struct CircleErrors {
+    double platen_m = 0.0;
+    double reference_m = 0.0;
+};
+
+CircleErrors followCircle(double radius_m) {
+    Ideal planar;
+    for (const auto& [name, value] : {std::pair<std::string, double>{"path.shape", HB_PATH_CIRCLE},
+                                      {"path.profile", 1.0},
+                                      {"path.radius", radius_m},
+                                      {"path.turns", 1.0},
+                                      {"path.speed", 0.02},
+                                      {"path.acceleration", 0.5},
+                                      {"path.jerk", 20.0},
+                                      {"feedforward.x.inertia", 0.64},
+                                      {"feedforward.y.inertia", 0.64},
+                                      {"speed.estimator", 1.0},
+                                      {"chip.deviation", 18e-6}}) {
+        planar.set(name, value);
+    }
+    planar.wait(0.5);
+    const models::PlanarPose start = planar.truth().platen.pose;
+    const hb_planar_signals& signals = planar.firmware().signals;
+    const double from[] = {static_cast<double>(signals.reference[0]),
+                           static_cast<double>(signals.reference[1])};
+    planar.set("reference.start", 1.0);
+    CircleErrors errors;
+    // 2 pi 5 mm at 20 mm/s take 1.57 s, and the ramps v/a + a/j 65 ms more, of the limits of the path.
+    int ticks = 0;
+    for (; ticks < 3000 && (ticks < 10 || planar.firmware().path.running != 0); ++ticks) {
+        planar.board().tick();
+        if (ticks % 100 == 0) {
+            planar.signal("status"); // the master is heard
+        }
+        const models::PlanarPose pose = planar.truth().platen.pose;
+        const auto off = [radius_m](double x, double y) {
+            return std::fabs(std::hypot(x - radius_m, y) - std::fabs(radius_m));
+        };
+        errors.platen_m = std::max(errors.platen_m, off(pose.x_m - start.x_m, pose.y_m - start.y_m));
+        errors.reference_m =
+            std::max(errors.reference_m, off(static_cast<double>(signals.reference[0]) - from[0],
+                                             static_cast<double>(signals.reference[1]) - from[1]));
+    }
+    EXPECT_NEAR(1e-3 * ticks, 2.0 * 3.14159 * std::fabs(radius_m) / 0.02 + 0.06, 0.05);
+    EXPECT_NEAR(planar.truth().platen.pose.x_m - start.x_m, 0.0, 30e-6);
+    return errors;
+}
+
+TEST(PlanarMotion, followsACircle) {
+    for (const double radius_m : {5e-3, -5e-3}) {
+        const CircleErrors errors = followCircle(radius_m);
+        EXPECT_LT(errors.reference_m, 1e-8); // single precision of 5 mm, 1e-9, and of the start pose
+        // 30 um: twice the lag of figure 19 per acceleration, 12 um at 0.438 m/s^2.
+        EXPECT_LT(errors.platen_m, 30e-6);
+        EXPECT_GT(errors.platen_m, 1e-9); // it moved
+    }
+}
+
+TEST(PlanarMotion, travelsInAnSCurveWithoutAJumpOfTheForce) {
+    // The force of one tick to the next: of a trapezoid all of m a at once, of an S-curve m j per second.
+    double largest_N[2] = {};
+    for (const int shape : {HB_PLANAR_TRAPEZOID, HB_PLANAR_S_CURVE}) {
+        Ideal planar;
+        for (const auto& [name, value] : {std::pair<std::string, double>{"shape", shape},
+                                          {"amplitude", -0.0199}, // the middle is not at a tick
+                                          {"rate", 0.2},
+                                          {"acceleration", 0.5},
+                                          {"jerk", 10.0}}) {
+            planar.set("reference.x." + name, value);
+        }
+        planar.set("feedforward.x.inertia", 0.64);
+        planar.set("speed.estimator", 1.0);
+        planar.set("chip.deviation", 18e-6);
+        planar.wait(0.5);
+        planar.set("reference.start", 1.0);
+        double before_N = static_cast<double>(planar.firmware().signals.effort[0]);
+        double& largest = largest_N[shape - HB_PLANAR_TRAPEZOID];
+        for (int k = 0; k < 500; ++k) {
+            planar.board().tick();
+            const double force_N = static_cast<double>(planar.firmware().signals.effort[0]);
+            largest = std::max(largest, std::fabs(force_N - before_N));
+            before_N = force_N;
+        }
+        EXPECT_EQ(planar.firmware().profile[0].running, 0);
+    }
+    EXPECT_NEAR(largest_N[0], 2.0 * 0.64 * 0.5, 0.1 * 0.64); // forth to back in the middle of the triangle
+    EXPECT_LT(largest_N[1], 3.0 * 0.64 * 10.0 * 1e-3);       // thrice, for what the loop adds
+}
+
 /// The platen at 0.16 m/s along y with everything imperfect.
 class Moving : public Positioner {
 public:

@@ -134,6 +134,43 @@ TEST(Planar, countsPitchesAndHomes) {
     EXPECT_NEAR(planar.signal("position.x"), planar.truth().platen.pose.x_m, 1e-6);
 }
 
+/// A line on which each packet takes a tick, as on a real one.
+class TickingLine : public LoopbackTransport {
+public:
+    explicit TickingLine(std::shared_ptr<SimulatedBoard> board)
+        : LoopbackTransport(board, false), m_board(std::move(board)) {}
+    Result<void> send(std::span<const std::uint8_t> packet) override {
+        m_board->tick();
+        return LoopbackTransport::send(packet);
+    }
+
+private:
+    std::shared_ptr<SimulatedBoard> m_board;
+};
+
+TEST(Planar, homesAlsoWhenTheBoardHasDoneItBeforeTheValueIsReadBack) {
+    auto made = makeSimulatedBoard(*parseDeviceUri("sim:planar"), {});
+    ASSERT_TRUE(made) << made.error().message;
+    std::shared_ptr<SimulatedBoard> board = std::move(*made);
+    auto device = openXcpDevice(std::make_unique<TickingLine>(board), {});
+    ASSERT_TRUE(device) << device.error().message;
+    const ParameterValue home[] = {{"hb.home", 1.0}};
+    const auto written = (*device)->writeParameters(home);
+    EXPECT_TRUE(written) << written.error().message;
+    board->tick();
+    EXPECT_EQ(planarFirmware(*board).signals.homed, 1);
+}
+
+// The stops stand 50 mm and 20 mrad from the middle: 100 mm and 40 mrad from one to the other.
+TEST(Planar, refusesAWindowWiderThanItsTravel) {
+    Positioner planar("imperfections=off");
+    EXPECT_TRUE(planar.canSet("window.x", 0.0999));
+    EXPECT_FALSE(planar.canSet("window.x", 0.1001));
+    EXPECT_FALSE(planar.canSet("window.y", 1.0));
+    EXPECT_TRUE(planar.canSet("window.phi", 0.0399));
+    EXPECT_FALSE(planar.canSet("window.phi", 0.0401));
+}
+
 TEST(Planar, refusesOverridesThatMakeNoMachine) {
     EXPECT_EQ(makeSimulatedBoard(*parseDeviceUri("sim:planar?mass=1"), {}).error().code,
               ErrorCode::UnknownName);

@@ -178,7 +178,7 @@ TEST_F(RotorViewTest, survivesValuesThatAreNone) {
     view.setAngle(nan);
     view.setCurrents(nan, 1.0);
     view.setHall(0.1, nan);
-    EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("not known")));
+    EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("unknown")));
     EXPECT_FALSE(view.grab().isNull());
     view.setAngle(1.0);
     view.setStale(true);

@@ -1,4 +1,4 @@
-#include "tests/devices/firmware/avr/simavr/avr_line.h"
+#include "tests/devices/firmware/avr/simavr/served_avr_board.h"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,8 @@ int main(int count, char** arguments) {
         fmt::print(stderr, "{}\n", board.error().message);
         return 1;
     }
-    const auto line = simavr::AvrLine::open(std::shared_ptr<simavr::AvrBoard>(std::move(*board)));
+    const auto line = firmware::BoardLine::open(
+        std::make_shared<simavr::ServedAvrBoard>(std::shared_ptr<simavr::AvrBoard>(std::move(*board))));
     if (!line) {
         fmt::print(stderr, "{}\n", line.error().message);
         return 1;

@@ -23,7 +23,7 @@ Result<void> AvrTransport::open() {
 
 Result<void> AvrTransport::send(std::span<const std::uint8_t> packet) {
     if (!m_isOpen || !m_board->core().isRunning()) {
-        return failure(ErrorCode::DeviceLost, "the board does not run", "Open it again.");
+        return failure(ErrorCode::DeviceLost, "the device does not run", "Open it again.");
     }
     std::vector<std::uint8_t> line;
     devices::SxiFraming().append(line, m_sent++, packet);
@@ -62,7 +62,7 @@ bool AvrTransport::takePacket(std::vector<std::uint8_t>& packet) {
 
 Result<bool> AvrTransport::receive(std::vector<std::uint8_t>& packet, double timeout_s) {
     if (!m_isOpen || !m_board->core().isRunning()) {
-        return failure(ErrorCode::DeviceLost, "the board does not run", "Open it again.");
+        return failure(ErrorCode::DeviceLost, "the device does not run", "Open it again.");
     }
     const double deadline_s = m_now_s + std::max(timeout_s, 0.0);
     while (!takePacket(packet)) {

@@ -1,0 +1,139 @@
+#include "app/actuators/planar/platen_board.h"
+
+#include "app/procedures/base/procedure_steps.h"
+#include "control/base/units.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+constexpr double Travel_m = 40e-3; // 10 mm before the stops (resources/help/planar-theory.md section 3)
+constexpr double WindowShare = 0.9;
+constexpr std::array<const char*, 2> AxisNames = {"x", "y"};
+
+} // namespace
+
+double PlatenBoard::waveNumber_per_m() const {
+    return 2.0 * Pi / geometry.matrix.pitch_m;
+}
+
+Result<PlatenBoard> readBoard(devices::Device& device) {
+    std::vector<std::string> names = {
+        "coil.force_constant", "coil.pitch",     "coil.width",      "coil.arm",
+        "platen.mass",         "platen.inertia", "platen.centre_x", "platen.centre_y",
+        "limit.current",       "window.x",       "window.y"};
+    const std::size_t plain = names.size();
+    for (int j = 1; j <= models::ChipCount; ++j) {
+        for (const char* name : {"amplitude", "gain_x", "gain_y", "cross_xy", "cross_yx", "offset_x",
+                                 "offset_y", "place_x", "place_y"}) {
+            names.push_back(fmt::format("chip.{}_{}", name, j));
+        }
+    }
+    const std::size_t crosstalk = names.size();
+    for (int i = 1; i <= models::FieldCount * models::CoilCount; ++i) {
+        names.push_back(fmt::format("chip.crosstalk_{}", i));
+    }
+    const auto values = device.readParameters(names);
+    if (!values) {
+        return failure(values.error());
+    }
+    const std::vector<double>& v = *values;
+    PlatenBoard board;
+    board.forceConstant_N_per_A = v[0];
+    board.geometry.matrix.pitch_m = v[1];
+    board.geometry.winding.width_m = v[2];
+    board.geometry.arm56_m = v[3];
+    board.mass_kg = v[4];
+    board.inertia_kg_m2 = v[5];
+    board.centreX_m = v[6];
+    board.centreY_m = v[7];
+    board.currentLimit_A = v[8];
+    board.windowX_m = v[9];
+    board.windowY_m = v[10];
+    for (std::size_t j = 0; j < models::ChipCount; ++j) {
+        const double* chip = &v[plain + j * ChipParameters];
+        board.chips.amplitude_T[j] = chip[0];
+        board.chips.gain[j] = {chip[1], chip[2]};
+        board.chips.cross[j] = {chip[3], chip[4]};
+        board.chips.offset_T[j] = {chip[5], chip[6]};
+        board.chips.place_m[j] = {chip[7], chip[8]};
+    }
+    for (int i = 0; i < models::FieldCount * models::CoilCount; ++i) {
+        board.chips.crosstalk_T_per_A(i / models::CoilCount, i % models::CoilCount) =
+            v[crosstalk + static_cast<std::size_t>(i)];
+    }
+    return board;
+}
+
+Result<PlatenRoom> roomWithin(const models::PlanarPose& start, const std::array<double, 2>& low_m,
+                              const std::array<double, 2>& high_m, double pitch_m) {
+    const std::array<double, 2> first = {pitch_m / 8.0, -pitch_m / 8.0};
+    const std::array<double, 2> distance = {pitch_m / 4.0, pitch_m / 2.0};
+    PlatenRoom room;
+    room.start = start;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        double line = first[axis] + distance[axis] * std::ceil((low_m[axis] - first[axis]) / distance[axis]);
+        for (; line <= high_m[axis]; line += distance[axis]) {
+            room.lines[axis].push_back(line);
+        }
+        if (room.lines[axis].empty() || room.high(axis) - room.low(axis) < 0.999 * pitch_m) {
+            return failure(
+                ErrorCode::Refused,
+                fmt::format("the platen has no room for a pitch along {}: {:.1f} to {:.1f} mm",
+                            AxisNames[axis], 1e3 * low_m[axis], 1e3 * high_m[axis]),
+                "Move it nearer to the middle, or widen window.x and window.y. Nothing was armed.");
+        }
+    }
+    return room;
+}
+
+Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
+                            const ProcedureObserver& observer, bool& wasHomed) {
+    const std::string homed[] = {"homed"};
+    auto state = device.readSignals(homed);
+    wasHomed = state && state->front() > 0.5;
+    if (state && !wasHomed) {
+        const ParameterValue home[] = {{"hb.home", 1.0}};
+        auto written = device.writeParameters(home);
+        if (!written) {
+            // The board homes no platen that is driven, and one just disarmed brakes for up to 0.3 s.
+            constexpr double Braking_s = 0.35;
+            if (auto waited = waitObserved(device, observer, Braking_s, 0.0, 0.0, "homes"); !waited) {
+                return failure(waited.error());
+            }
+            written = device.writeParameters(home);
+        }
+        if (!written) {
+            return failure(written.error());
+        }
+        if (auto waited = waitObserved(device, observer, 0.05, 0.0, 0.0, "homes"); !waited) {
+            return failure(waited.error());
+        }
+        state = device.readSignals(homed);
+    }
+    if (!state) {
+        return failure(state.error());
+    }
+    if (state->front() < 0.5) {
+        return failure(ErrorCode::Refused, "the platen is not homed and its chips determine no pose",
+                       "Check the Hall chips, home it, and start again. Nothing was armed.");
+    }
+    const std::string names[] = {"position.x", "position.y", "position.phi"};
+    const auto pose = device.readSignals(names);
+    if (!pose) {
+        return failure(pose.error());
+    }
+    const std::array<double, 2> window_m = {board.windowX_m, board.windowY_m};
+    std::array<double, 2> low_m{}, high_m{};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        low_m[axis] = std::max((*pose)[axis] - WindowShare * window_m[axis], -Travel_m);
+        high_m[axis] = std::min((*pose)[axis] + WindowShare * window_m[axis], Travel_m);
+    }
+    return roomWithin({(*pose)[0], (*pose)[1], (*pose)[2]}, low_m, high_m, board.geometry.matrix.pitch_m);
+}
+
+} // namespace halbench::app

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/actuators/planar/platen_board.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// Reference of one axis during one leg, from where the axis is held.
+struct AxisWave {
+    enum class Shape { Hold, Travel, Chirp };
+    Shape shape = Shape::Hold;
+    double distance = 0.0;  ///< of a travel, m or rad
+    double speed = 0.0;     ///< its constant speed, per second
+    double amplitude = 0.0; ///< of a chirp: whole cycles, so that it ends where it began
+    double from_Hz = 0.0;
+    double to_Hz = 0.0;
+};
+
+/// References of x, y and angle that start together.
+struct MotionLeg {
+    std::array<AxisWave, 3> waves;
+    double duration_s = 0.0;
+    std::string text; ///< for the progress line
+};
+
+/// Travels over the room in x and y at two speeds and both ways, short turns of phi, while the other axes are
+/// shaken by chirps: excites forces at many places, damping by constant speeds, inertia by accelerations.
+std::vector<MotionLeg> identificationLegs(const PlatenRoom& room);
+/// Slow travels over the room on lines of y and of x, with the platen turned a little either way.
+std::vector<MotionLeg> calibrationLegs(const PlatenRoom& room);
+
+double durationOf(const std::vector<MotionLeg>& legs);
+
+/// Parameters of the board's generators that start a leg.
+std::vector<ParameterValue> legValues(const MotionLeg& leg);
+
+} // namespace halbench::app

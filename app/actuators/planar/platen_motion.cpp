@@ -1,0 +1,258 @@
+#include "app/actuators/planar/platen_motion.h"
+
+#include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/base/procedure_steps.h"
+#include "app/procedures/excite/excitation_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace halbench::app {
+namespace {
+
+constexpr double Rate_Hz = 1000.0;
+constexpr double Settle_s = 1.0;
+constexpr double Tail_s = 0.05;
+constexpr double Pause_degC = 60.0;
+constexpr double Refuse_degC = 70.0;
+constexpr double MeanSquare_A2 = 0.05; // of the legs as planned, with room
+constexpr std::array<const char*, 3> AxisNames = {"x", "y", "phi"};
+enum Mode { CoilCurrents = 1, Position = 2 };
+
+std::vector<std::string> coilNames(const char* prefix) {
+    std::vector<std::string> names;
+    for (int k = 1; k <= models::CoilCount; ++k) {
+        names.push_back(fmt::format("{}{}", prefix, k));
+    }
+    return names;
+}
+
+std::vector<std::string> hallNames() {
+    std::vector<std::string> names;
+    for (int j = 1; j <= models::ChipCount; ++j) {
+        names.push_back(fmt::format("hall.x{}", j));
+        names.push_back(fmt::format("hall.y{}", j));
+    }
+    return names;
+}
+
+std::vector<std::string> wantedSignals() {
+    std::vector<std::string> names = {"position.x", "position.y", "position.phi",
+                                      "speed.x",    "speed.y",    "speed.phi"};
+    for (const auto& more : {coilNames("current.coil"), hallNames(), coilNames("coil_temperature.coil")}) {
+        names.insert(names.end(), more.begin(), more.end());
+    }
+    return names;
+}
+
+std::vector<devices::GuardLimit> guardLimits(const devices::Catalogue& catalogue, const PlatenBoard& board) {
+    constexpr double Speed_m_s = 0.4, Speed_rad_s = 10.0, Window_rad = 0.03;
+    std::vector<devices::GuardLimit> limits;
+    for (const devices::AxisSpec& axis : catalogue.axes) {
+        const bool turns = axis.positionUnit == "rad";
+        const double window = turns ? Window_rad : axis.id == "x" ? board.windowX_m : board.windowY_m;
+        const auto more = excitationLimits(catalogue, turns ? Speed_rad_s : Speed_m_s, window, axis);
+        limits.insert(limits.end(), more.begin(), more.end());
+    }
+    return limits;
+}
+
+double highestOf(const Recording& recording) {
+    double highest_degC = -273.0;
+    for (const std::string& name : coilNames("coil_temperature.coil")) {
+        for (const double value : recording.column(name)) {
+            highest_degC = std::max(highest_degC, value);
+        }
+    }
+    return highest_degC;
+}
+
+// The chips of a row see what flowed until then: the currents of the row before.
+Result<PlatenMotion> motionFrom(Recording recording) {
+    PlatenMotion motion;
+    const std::size_t rows = recording.rows();
+    if (rows < 2) {
+        return failure(ErrorCode::InvalidInput, "no rows came from the device", "Check the link.");
+    }
+    std::vector<std::vector<double>> pose, current, field;
+    for (const char* axis : AxisNames) {
+        pose.push_back(recording.column(fmt::format("position.{}", axis)));
+    }
+    for (const std::string& name : coilNames("current.coil")) {
+        current.push_back(recording.column(name));
+    }
+    for (const std::string& name : hallNames()) {
+        field.push_back(recording.column(name));
+    }
+    for (const auto* group : {&pose, &current, &field}) {
+        for (const std::vector<double>& column : *group) {
+            if (column.size() != rows) {
+                return failure(ErrorCode::InvalidInput, "the device lacks a signal of the platen",
+                               "Its catalogue needs position, current.coil1 to 6 and hall.x1 to y3.");
+            }
+        }
+    }
+    motion.samples.resize(rows);
+    motion.current_A.resize(rows);
+    for (std::size_t n = 0; n < rows; ++n) {
+        for (std::size_t k = 0; k < models::CoilCount; ++k) {
+            motion.current_A[n](static_cast<int>(k)) = current[k][n];
+        }
+        for (std::size_t i = 0; i < models::FieldCount; ++i) {
+            motion.samples[n].reading_T(static_cast<int>(i)) = field[i][n];
+        }
+        motion.samples[n].current_A = motion.current_A[n > 0 ? n - 1 : 0];
+        motion.samples[n].pose = {pose[0][n], pose[1][n], pose[2][n]};
+    }
+    motion.highestTemperature_degC = highestOf(recording);
+    motion.recording = std::move(recording);
+    return motion;
+}
+
+Result<void> switchTo(devices::Device& device, Mode mode) {
+    std::vector<ParameterValue> values;
+    for (const char* axis : AxisNames) {
+        values.push_back({fmt::format("reference.{}.shape", axis), 0.0});
+        values.push_back({fmt::format("reference.{}.base", axis), 0.0});
+        values.push_back({fmt::format("reference.{}.target", axis), 0.0});
+    }
+    values.push_back({"hb.mode", static_cast<double>(mode)});
+    return device.writeParameters(values);
+}
+
+// The fit knows least squares without lag; windows guard what the board can guard.
+Result<void> prepare(devices::Device& device) {
+    const ParameterValue values[] = {
+        {"speed.estimator", 0.0}, {"window.position_enabled", 1.0}, {"window.speed_enabled", 1.0}};
+    return device.writeParameters(values);
+}
+
+Result<void> follow(devices::Device& device, const std::vector<MotionLeg>& legs,
+                    const ProcedureObserver& observer) {
+    if (auto done = switchTo(device, Position); !done) {
+        return done;
+    }
+    if (auto armed = device.arm(); !armed) {
+        return armed;
+    }
+    if (auto settled = waitObserved(device, observer, Settle_s, 0.0, 0.02, "position hold"); !settled) {
+        return settled;
+    }
+    if (auto entered = enterState(observer, ProcedureState::Record); !entered) {
+        return entered;
+    }
+    const double whole_s = durationOf(legs);
+    double done_s = 0.0;
+    for (const MotionLeg& leg : legs) {
+        if (auto written = device.writeParameters(legValues(leg)); !written) {
+            return written;
+        }
+        const double from = 0.02 + 0.96 * done_s / whole_s;
+        done_s += leg.duration_s;
+        const double to = 0.02 + 0.96 * done_s / whole_s;
+        if (auto moved = waitObserved(device, observer, leg.duration_s, from, to, leg.text); !moved) {
+            return moved;
+        }
+    }
+    if (auto rested = waitObserved(device, observer, Tail_s, 0.98, 1.0, "comes to rest"); !rested) {
+        return rested;
+    }
+    return device.disarm();
+}
+
+Result<void> pulse(devices::Device& device, const ProcedureObserver& observer, int coil, double current_A) {
+    constexpr double Pulse_s = 0.01; // 0.5 A move the platen by 0.1 mm in that time
+    const std::string name = fmt::format("hb.current_{}", coil);
+    if (auto armed = device.arm(); !armed) {
+        return armed;
+    }
+    // Forth, twice as long back, forth: at the end the platen is about where it was and at rest.
+    constexpr int Repetitions = 4;
+    for (int repetition = 0; repetition < Repetitions; ++repetition) {
+        for (const double part : {1.0, -1.0, -1.0, 1.0}) {
+            const ParameterValue value[] = {{name, part * current_A}};
+            if (auto written = device.writeParameters(value); !written) {
+                return written;
+            }
+            if (auto waited = waitObserved(device, observer, Pulse_s); !waited) {
+                return waited;
+            }
+        }
+    }
+    const ParameterValue zero[] = {{name, 0.0}};
+    if (auto written = device.writeParameters(zero); !written) {
+        return written;
+    }
+    if (auto waited = waitObserved(device, observer, Pulse_s); !waited) {
+        return waited;
+    }
+    if (auto disarmed = device.disarm(); !disarmed) {
+        return disarmed;
+    }
+    constexpr double Braking_s = 0.35; // 0.3 s at most
+    return waitObserved(device, observer, Braking_s);
+}
+
+template <typename Body>
+Result<PlatenMotion> recorded(devices::Device& device, const PlatenBoard& board,
+                              const ProcedureObserver& observer, Body body) {
+    const devices::LinkStatistics before = device.statistics();
+    const double start_s = device.clock().now_s();
+    StreamRecorder recorder(device, observer);
+    recorder.guardBy(guardLimits(device.catalogue(), board));
+    if (auto started = recorder.start(wantedSignals(), Rate_Hz); !started) {
+        return failure(started.error());
+    }
+    if (const Result<void> done = body(); !done) {
+        return failure(recorder.causeOf(done.error()));
+    }
+    auto recording = recorder.finish();
+    if (!recording) {
+        return failure(recording.error());
+    }
+    auto motion = motionFrom(*std::move(recording));
+    if (motion) {
+        motion->loss = causeOfRowLoss(before, device.statistics());
+        motion->duration_s = device.clock().now_s() - start_s;
+    }
+    return motion;
+}
+
+} // namespace
+
+Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& board,
+                                  const std::vector<MotionLeg>& legs, const ProcedureObserver& observer) {
+    const auto heat = admitHeat(device, observer, MeanSquare_A2, durationOf(legs), Pause_degC, Refuse_degC);
+    if (!heat) {
+        return failure(heat.error());
+    }
+    if (auto prepared = prepare(device); !prepared) {
+        return failure(prepared.error());
+    }
+    if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
+        return failure(entered.error());
+    }
+    return recorded(device, board, observer, [&] { return follow(device, legs, observer); });
+}
+
+Result<PlatenMotion> recordPulses(devices::Device& device, const PlatenBoard& board,
+                                  const ProcedureObserver& observer) {
+    const double current_A = 0.5 * board.currentLimit_A;
+    if (auto prepared = prepare(device); !prepared) {
+        return failure(prepared.error());
+    }
+    return recorded(device, board, observer, [&]() -> Result<void> {
+        if (auto done = switchTo(device, CoilCurrents); !done) {
+            return done;
+        }
+        for (int coil = 1; coil <= models::CoilCount; ++coil) {
+            if (auto pulsed = pulse(device, observer, coil, current_A); !pulsed) {
+                return pulsed;
+            }
+        }
+        return {};
+    });
+}
+
+} // namespace halbench::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "app/actuators/planar/platen_legs.h"
+#include "app/procedures/base/row_loss.h"
+
+#include <vector>
+
+namespace halbench::app {
+
+/// A motion as recorded at the rate of the loop.
+struct PlatenMotion {
+    Recording recording;
+    std::vector<ChipSample> samples; ///< one a row; the currents are those that flowed before it
+    std::vector<models::CoilCurrents_A> current_A; ///< that flow from the row on
+    RowLossCause loss;
+    double duration_s = 0.0;
+    double highestTemperature_degC = 0.0;
+    bool wasHomed = true; ///< before it began
+};
+
+/// Homes when needed, arms in position mode, follows the legs and disarms; the caller holds the RestoreGuard.
+/// Errors: Refused (no zero, coils too warm), SafetyStop, of the device, of the abort.
+Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& board,
+                                  const std::vector<MotionLeg>& legs, const ProcedureObserver& observer);
+
+/// Short pulses of one coil after the other in both directions, with the platen at rest before each: the
+/// field of the currents appears at the chips before anything can move. Errors: as above.
+Result<PlatenMotion> recordPulses(devices::Device& device, const PlatenBoard& board,
+                                  const ProcedureObserver& observer);
+
+} // namespace halbench::app

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/procedures/base/procedure.h"
+#include "app/procedures/base/row_loss.h"
+#include "devices/device.h"
+#include "models/spherical/calibration_unknowns.h"
+
+#include <vector>
+
+namespace halbench::app {
+
+/// A recorded motion of the rotor: readings as they came, without the channels that were clipped.
+struct SensedMotion {
+    std::vector<models::CalibrationSample> samples;
+    double current_A = 0.0;     ///< mean of the coil's current
+    double currentSpan_A = 0.0; ///< from the smallest to the largest
+    double temperatureSpan_K = 0.0;
+    bool hasTemperature = false;
+    bool hasReference = false;
+    std::uint64_t lostRows = 0;
+    RowLossCause loss;
+};
+
+/// Rows of nine fields in tesla, with coil current, temperature and channels that were left out where the
+/// recording has them; known orientations in `reference.alpha`, `.beta`, `.gamma`. A row without some field
+/// goes without that channel. Errors: UnknownName (a field is missing), InvalidInput (no rows, readings
+/// beyond 3 T, a known orientation that is not a number).
+Result<SensedMotion> sensedMotion(const Recording& recording);
+
+/// Listens while the rotor is moved by somebody else. Errors: of the device, of the abort, of sensedMotion().
+Result<SensedMotion> recordSensedMotion(devices::Device& device, double duration_s,
+                                        const ProcedureObserver& observer);
+
+} // namespace halbench::app

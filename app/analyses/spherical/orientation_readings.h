@@ -1,0 +1,35 @@
+#pragma once
+
+#include "app/analyses/analysis.h"
+#include "models/spherical/orientation.h"
+#include "models/spherical/spherical_sensing.h"
+
+#include <optional>
+#include <vector>
+
+namespace halbench::app {
+
+/// Nine readings a row, and what may be used of them.
+struct OrientationReadings {
+    std::vector<double> time_s;
+    std::vector<models::SphericalReadings> readings_T;
+    std::vector<models::ChannelMask> used;        ///< without missing and clipped values
+    std::vector<double> coilCurrent_A;            ///< zero where `coil.current` is not recorded
+    std::vector<models::OrientationAngles> truth; ///< empty without `truth`
+    std::array<std::string, models::ChannelCount> names;
+    std::array<std::size_t, models::ChannelCount> missing{}; ///< rows without a value, each channel
+    std::array<std::size_t, models::ChannelCount> clipped{};
+    /// A channel rests at the largest magnitude of all: it may be clipped although no range was given.
+    std::optional<std::size_t> suspect;
+};
+
+/// Names of the readings when none are given: "field.0.r", "field.0.theta", ... "field.2.phi".
+std::array<std::string, models::ChannelCount> defaultReadingNames();
+
+/// Takes the columns named by the settings `readings`, `truth` and `truth_signals` out of a recording and
+/// marks values at the end of `range_mT`. Errors: UnknownName (a missing column, a column in another unit),
+/// InvalidInput (not nine names, readings beyond 3 T, a true angle that is no number).
+Result<OrientationReadings> orientationReadings(const AnalysisValues& values,
+                                                const devices::RecordedFile& file, const std::string& origin);
+
+} // namespace halbench::app

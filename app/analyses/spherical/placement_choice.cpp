@@ -1,0 +1,163 @@
+#include "app/analyses/spherical/placement_choice.h"
+
+#include "app/documents/text/names.h"
+#include "app/documents/text/numbers.h"
+#include "app/documents/text/output_file.h"
+#include "control/base/units.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr const char* Hint =
+    "use published, recommended, a file of 'halbench place --out', or nine angles in degrees";
+
+Result<models::SensorTriple> tripleOf(const std::array<double, 9>& angles_deg) {
+    models::SensorTriple placement;
+    for (std::size_t i = 0; i < placement.size(); ++i) {
+        placement[i] = {degreesToRadians(angles_deg[3 * i]), degreesToRadians(angles_deg[3 * i + 1]),
+                        degreesToRadians(angles_deg[3 * i + 2])};
+    }
+    return placement;
+}
+
+Result<models::SensorTriple> anglesOf(const std::string& text) {
+    const std::vector<std::string> parts = splitList(text);
+    std::array<double, 9> angles_deg{};
+    if (parts.size() != angles_deg.size()) {
+        return failure(ErrorCode::Usage, fmt::format("--placement has {} angles, not nine", parts.size()),
+                       "give alpha,beta,gamma of sensors 0, 1 and 2 in degrees");
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Result<double> angle = numberOption("--placement", parts[i]);
+        if (!angle) {
+            return failure(angle.error());
+        }
+        if (std::abs(*angle) > 180.0) {
+            return failure(ErrorCode::OutOfRange, fmt::format("--placement: {} is out of range", parts[i]),
+                           "angles lie between -180 and 180 degrees");
+        }
+        angles_deg[i] = *angle;
+    }
+    return tripleOf(angles_deg);
+}
+
+/// The `sensors` of a placement file.
+Result<models::SensorTriple> fileOf(const std::string& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text) {
+        return failure(text.error().code, "--placement: " + text.error().message, Hint);
+    }
+    const Result<JsonValue> document = parseJson(*text, path);
+    if (!document) {
+        return failure(document.error());
+    }
+    const JsonValue* placement = document->find("placement");
+    const JsonValue* sensors = placement == nullptr ? nullptr : placement->find("sensors");
+    const bool isList = sensors != nullptr && sensors->isArray() && sensors->items().size() == 3;
+    std::array<double, 9> angles_deg{};
+    for (std::size_t i = 0; isList && i < angles_deg.size(); ++i) {
+        constexpr std::array Names = {"alpha_deg", "beta_deg", "gamma_deg"};
+        const JsonValue* angle = sensors->items()[i / 3].find(Names[i % 3]);
+        if (angle == nullptr || !angle->isNumber()) {
+            return failure(ErrorCode::InvalidInput,
+                           fmt::format("{}: sensor {} has no number {}", path, i / 3, Names[i % 3]), Hint);
+        }
+        angles_deg[i] = angle->number();
+    }
+    if (!isList) {
+        return failure(ErrorCode::InvalidInput, path + ": it holds no placement of three sensors", Hint);
+    }
+    return tripleOf(angles_deg);
+}
+
+} // namespace
+
+std::vector<AnalysisKey> placementKeys() {
+    using enum AnalysisKeyType;
+    return {
+        {"placement", Text, 0, 0, "",
+         "sensors: published (default), recommended, a file of place, or nine angles in degrees"},
+        {"frames", Choice, 0, 0, "zyx|xyz|nat", "how placement angles turn a sensor; default zyx"},
+        {"device", Choice, 0, 0, "exact|paper", "model of the device; default exact"},
+        {"radius_mm", Number, 5, 500, "", "distance of the sensors from the centre; default 50"},
+        {"q_T", Number, -10, 10, "", "strength of the field tensor at 50 mm; default 0.0991865"},
+    };
+}
+
+Result<models::PlacementDevice> deviceChoice(const AnalysisValues& values) {
+    models::PlacementDevice device;
+    device.device = static_cast<models::SphericalDevice>(
+        choiceIndex(models::SphericalDeviceNames, values.text("device")));
+    device.frames =
+        static_cast<models::SensorFrames>(choiceIndex(models::SensorFrameNames, values.text("frames")));
+    device.radius_m = values.numberOr("radius_mm", 1e3 * device.radius_m) / 1e3;
+    device.strength_T = values.numberOr("q_T", device.strength_T);
+    if (device.strength_T <= 0.0) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("q = {} T is not positive", formatNumber(device.strength_T)),
+                       "the rotor's d axis points where the radial field is positive: turn the rotor frame "
+                       "by 90 degrees about the shaft instead of changing the sign");
+    }
+    return device;
+}
+
+Result<PlacementChoice> placementChoice(const AnalysisValues& values) {
+    Result<models::PlacementDevice> device = deviceChoice(values);
+    if (!device) {
+        return failure(device.error());
+    }
+    PlacementChoice choice{*device};
+    const std::string text = values.text("placement");
+    if (text == "recommended") {
+        choice.placement = models::recommendedPlacement();
+    } else if (!text.empty() && text != "published") {
+        const bool isList = text.find(',') != std::string::npos && text.find('.') > text.find(',');
+        const Result<models::SensorTriple> placement =
+            isList || parseNumber(splitList(text)[0]) ? anglesOf(text) : fileOf(text);
+        if (!placement) {
+            return failure(placement.error());
+        }
+        choice.placement = *placement;
+    }
+    if (auto checked = models::checkSensorPoses(choice.poses(), choice.device.rotorRadius_m); !checked) {
+        return failure(checked.error());
+    }
+    return choice;
+}
+
+JsonValue anglesJson(double alpha_rad, double beta_rad, double gamma_rad) {
+    JsonValue angles = JsonValue::object();
+    angles.set("alpha_deg", radiansToDegrees(alpha_rad)).set("beta_deg", radiansToDegrees(beta_rad));
+    return angles.set("gamma_deg", radiansToDegrees(gamma_rad));
+}
+
+std::string anglesText(double alpha_rad, double beta_rad, double gamma_rad) {
+    const auto rounded = [](double angle_rad) {
+        return std::round(1e3 * radiansToDegrees(angle_rad)) / 1e3 + 0.0;
+    };
+    return fmt::format("({:g}, {:g}, {:g})", rounded(alpha_rad), rounded(beta_rad), rounded(gamma_rad));
+}
+
+JsonValue placementJson(const models::PlacementDevice& device, const models::SensorTriple& placement) {
+    JsonValue sensors = JsonValue::array();
+    for (const models::PlacementAngles& angles : placement) {
+        const Eigen::Vector3d place =
+            models::sensorPose(models::placementRotation(angles, device.frames), 1.0).position_m;
+        JsonValue sensor = anglesJson(angles.alpha_rad, angles.beta_rad, angles.gamma_rad);
+        sensor.set("theta_deg", radiansToDegrees(std::acos(std::fmax(-1.0, std::fmin(1.0, place.z())))));
+        sensors.push(sensor.set("phi_deg", radiansToDegrees(std::atan2(place.y(), place.x()))));
+    }
+    JsonValue document = JsonValue::object();
+    document.set("device", models::SphericalDeviceNames[static_cast<std::size_t>(device.device)]);
+    document.set("frames", models::SensorFrameNames[static_cast<std::size_t>(device.frames)]);
+    document.set("radius_m", device.radius_m).set("strength_T", device.strength_T);
+    return document.set("sensors", sensors);
+}
+
+} // namespace halbench::app

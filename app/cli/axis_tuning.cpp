@@ -1,0 +1,346 @@
+#include "app/cli/axis_tuning.h"
+
+#include "app/actuators/actuator.h"
+#include "app/cli/axis_tuning_text.h"
+#include "app/cli/command_support.h"
+#include "app/documents/axis_loop_documents.h"
+#include "app/documents/text/numbers.h"
+#include "app/documents/text/output_file.h"
+#include "app/headless/command_header.h"
+#include "app/procedures/apply/apply_axes.h"
+#include "app/procedures/base/doubtful_source.h"
+#include "app/tuning/axis_conditions.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace halbench::app {
+namespace {
+
+/// What needs a motor, or is drawn of one loop.
+Result<void> refuseForAxes(const CommandOptions& options) {
+    return refuseGiven({{"--relay", !options.relayFile.empty()},
+                        {"--calibration", !options.calibrationFile.empty()},
+                        {"--max-sensitivity", !options.maxSensitivity.empty()},
+                        {"--current-limit-a", !options.currentLimit.empty()},
+                        {"--step-deg", !options.limitedStep.empty()},
+                        {"--picture", !options.pictures.empty()},
+                        {"--code", !options.codeFile.empty()},
+                        {"--live", options.isLive},
+                        {"--given", !options.given.empty()},
+                        {"--bode", !options.bodeFile.empty()},
+                        {"--step", !options.stepFile.empty()},
+                        {"--poles", !options.polesFile.empty()},
+                        {"--compare", !options.compared.empty()},
+                        {"--what-if", !options.whatIfRecording.empty()},
+                        {"--ran", !options.ranFile.empty()},
+                        {"--motion", !options.whatIfFile.empty()}},
+                       "does not belong to the model of several axes", "leave it out");
+}
+
+Result<std::optional<double>> positive(const std::string& option, const std::string& text) {
+    const Result<std::optional<double>> value = optionalNumber(option, text);
+    if (value && value->value_or(1.0) <= 0.0) {
+        return failure(ErrorCode::OutOfRange, fmt::format("{}: {} is not positive", option, text),
+                       "give a positive number");
+    }
+    return value;
+}
+
+Result<TuneAxesConfig> configFrom(const CommandOptions& options, std::uint64_t seed) {
+    const auto zeta = positive("--zeta", options.zeta);
+    const auto omega = positive("--omega-rad-s", options.omega);
+    const auto bandwidth = positive("--bandwidth-hz", options.bandwidth);
+    const auto margin = positive("--phase-margin-deg", options.phaseMargin);
+    const auto load = positive("--disturbance", options.load);
+    for (const auto* value : {&zeta, &omega, &bandwidth, &margin, &load}) {
+        if (!*value) {
+            return failure(value->error());
+        }
+    }
+    TuneAxesConfig config;
+    config.targets = {*zeta, *omega, *bandwidth, *margin};
+    config.method = options.method.empty() ? config.method : options.method;
+    config.load = *load;
+    config.seed = seed;
+    return config;
+}
+
+/// --gains holds the gains: nothing is designed.
+Result<void> refuseDesign(const CommandOptions& options) {
+    return refuseGiven({{"--method", !options.method.empty()},
+                        {"--zeta", !options.zeta.empty()},
+                        {"--omega-rad-s", !options.omega.empty()},
+                        {"--bandwidth-hz", !options.bandwidth.empty()},
+                        {"--phase-margin-deg", !options.phaseMargin.empty()}},
+                       "would design other gains than those of --gains", "leave out one or the other");
+}
+
+/// Model, axes, conditions and configuration of one command.
+struct AxisWork {
+    ResultHeader header;
+    std::vector<std::string> axes;
+    AxisConditions conditions;
+    TuneAxesConfig config;
+};
+
+Result<AxisWork> workOf(CommandContext& context, const CommandOptions& options, const AxisModelFile& model,
+                        const char* schema) {
+    if (const auto fits = refuseForAxes(options); !fits) {
+        return failure(fits.error());
+    }
+    AxisWork work;
+    work.header = headerFor(context, schema);
+    work.header.device = model.header.device;
+    work.header.seed = context.global.seed.value_or(model.header.seed);
+    const auto axes = chosenAxesOf(model.model, options.axis);
+    if (!axes) {
+        return failure(axes.error().code, "--axis: " + axes.error().message, axes.error().hint);
+    }
+    work.axes = *axes;
+    auto conditions = axisConditionsOf(model, work.axes);
+    auto config = configFrom(options, work.header.seed);
+    if (!conditions || !config) {
+        return failure(!conditions ? conditions.error() : config.error());
+    }
+    work.conditions = *std::move(conditions);
+    work.config = *std::move(config);
+    return work;
+}
+
+Result<TuneAxesResult> judgedGains(const std::string& path, const AxisModelFile& model,
+                                   const AxisWork& work) {
+    const auto file = readAxisGains(path);
+    const auto& identified = model.header.device;
+    if (file && file->device && identified && file->device->model != identified->model) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("{}: the gains are for a device '{}', the model is of a '{}'", path,
+                                   file->device->model, identified->model),
+                       "tune with this model");
+    }
+    const auto laws = file ? lawsOf(*file, work.axes) : failure(file.error());
+    if (!laws) {
+        return failure(laws.error());
+    }
+    return judgeAxes(model.model, work.conditions, laws->laws, laws->methods, work.config);
+}
+
+/// A model of another kind of actuator has no place here; one of another device of the kind needs a word.
+Result<void> admit(const CommandOptions& options, const AxisModelFile& model,
+                   const devices::DeviceInfo& device) {
+    const auto& identified = model.header.device;
+    if (identified && identified->model != device.model) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("--apply: the model is of a device '{}', this one is a '{}'",
+                                   identified->model, device.model),
+                       "identify this device and use its model for tuning");
+    }
+    const std::optional<Finding> foreign = foreignMotor(identified, device);
+    if (!foreign || device.isSimulated || options.takesForeignModel) {
+        return {};
+    }
+    return failure(ErrorCode::ConsentMissing, "--apply: " + foreign->message,
+                   foreign->hint + ", or repeat the command with --foreign-model");
+}
+
+/// All axes of the device are written together, unless one is named.
+Result<void> checkComplete(const CommandOptions& options, const devices::Catalogue& catalogue,
+                           const std::vector<std::string>& axes) {
+    if (!options.axis.empty() && options.axis != "all") {
+        return {};
+    }
+    for (const devices::AxisSpec& axis : catalogue.axes) {
+        if (std::find(axes.begin(), axes.end(), axis.id) == axes.end()) {
+            return failure(ErrorCode::InvalidInput,
+                           fmt::format("--apply: there is nothing for axis {} of the device, only for {}",
+                                       axis.id, fmt::join(axes, ", ")),
+                           "identify all of its axes, or choose the one that is meant with --axis");
+        }
+    }
+    return {};
+}
+
+/// The loops are judged as they run on the device.
+Result<std::unique_ptr<devices::Device>> openForAxes(CommandContext& context, const CommandOptions& options,
+                                                     const AxisModelFile& model, AxisWork& work,
+                                                     std::unique_ptr<devices::Device> identified) {
+    const bool isSame = identified && options.applyDevice == options.device;
+    auto device = isSame ? Result<std::unique_ptr<devices::Device>>(std::move(identified))
+                         : openToMove(context, options.applyDevice, [&](const devices::DeviceInfo& opened) {
+                               return admit(options, model, opened);
+                           });
+    if (!device) {
+        return device;
+    }
+    if (const auto complete = checkComplete(options, (*device)->catalogue(), work.axes); !complete) {
+        return failure(complete.error());
+    }
+    auto conditions = axisConditionsOf(**device, work.axes);
+    if (!conditions) {
+        return failure(conditions.error().code, "--apply: " + conditions.error().message,
+                       conditions.error().hint);
+    }
+    for (std::size_t i = 0; i < work.axes.size(); ++i) {
+        const auto same = checkTimingOfModel(model.model.find(work.axes[i])->timing, (*conditions)[i].timing);
+        if (!same && !options.takesForeignModel) {
+            return failure(same.error().code,
+                           fmt::format("--apply: axis {}: {}", work.axes[i], same.error().message),
+                           same.error().hint + ", or repeat the command with --foreign-model");
+        }
+    }
+    work.conditions = *std::move(conditions);
+    return device;
+}
+
+Result<ApplyAxesResult> applyAxes(CommandContext& context, devices::Device& device, const AxisModel& model,
+                                  const TuneAxesResult& result) {
+    if (result.quality.verdict == Verdict::Refused) {
+        const auto& findings = result.quality.findings;
+        return failure(
+            ErrorCode::Refused,
+            (findings.empty() ? std::string("these gains are refused") : findings.front().message) +
+                "; nothing was written",
+            findings.empty() ? std::string() : findings.front().hint);
+    }
+    const auto config = applyAxesConfig(device.catalogue(), model, result);
+    if (!config) {
+        return failure(config.error().code, "--apply: " + config.error().message, config.error().hint);
+    }
+    if (const Result<void> kept = backUp(context, device); !kept) {
+        return failure(kept.error());
+    }
+    return runApplyAxes(device, *config, observerFor(context));
+}
+
+} // namespace
+
+Result<std::optional<AxisModelFile>> axisModelIn(const std::string& path) {
+    const Result<std::string> text = readFile(path);
+    if (!text || !isAxisModel(*text)) {
+        return std::optional<AxisModelFile>();
+    }
+    auto model = parseAxisModel(*text, path);
+    return model ? Result<std::optional<AxisModelFile>>(*std::move(model)) : failure(model.error());
+}
+
+Result<void> refuseAxis(const CommandOptions& options) {
+    return refuseGiven({{"--axis", !options.axis.empty()}}, "belongs to a model of several axes",
+                       "leave it out: this one has a single loop");
+}
+
+CommandResult tuneAxesOf(CommandContext& context, const CommandOptions& options, const AxisModelFile& model,
+                         std::unique_ptr<devices::Device> identified) {
+    if (!options.gainsFile.empty()) {
+        if (const auto fits = refuseDesign(options); !fits) {
+            return failure(fits.error());
+        }
+    }
+    auto work = workOf(context, options, model, "halbench.gains/1");
+    if (!work) {
+        return failure(work.error());
+    }
+    std::unique_ptr<devices::Device> device;
+    if (!options.applyDevice.empty()) {
+        auto opened = openForAxes(context, options, model, *work, std::move(identified));
+        if (!opened) {
+            return failure(opened.error());
+        }
+        device = *std::move(opened);
+    }
+    auto result = options.gainsFile.empty() ? tuneAxes(model.model, work->conditions, work->config)
+                                            : judgedGains(options.gainsFile, model, *work);
+    if (!result) {
+        return failure(result.error());
+    }
+    std::string text = axisGainsText(*result);
+    std::optional<JsonValue> assessment;
+    bool isKept = true;
+    if (device) {
+        const auto applied = applyAxes(context, *device, model.model, *result);
+        if (!applied) {
+            return failure(applied.error());
+        }
+        isKept = applied->isKept;
+        assessment = appliedAxesBody(*applied);
+        addVerification(result->quality, applied->quality);
+        text += appliedAxesText(*applied);
+    }
+    JsonValue document = axisGainsDocument(work->header, *result);
+    if (assessment) {
+        document.set("applied", *assessment);
+    }
+    if (const auto done = deliver(context, document, text, options.out); !done) {
+        return failure(done.error());
+    }
+    return isKept ? exitCodeFor(result->quality) : ExitCode::CheckFailed;
+}
+
+CommandResult tuneAxesOfDevice(CommandContext& context, const CommandOptions& options,
+                               std::unique_ptr<devices::Device> device) {
+    CommandOptions tuning = options;
+    tuning.given.clear(); // it is the identification's
+    if (const auto fits = refuseForAxes(tuning); !fits) {
+        return failure(fits.error());
+    }
+    const Actuator& actuator = actuatorOf(device->info().model);
+    Result<IdentifyConfig> config = identifyConfigFrom(options, actuator);
+    if (!config) {
+        return failure(config.error());
+    }
+    AxisModelFile model{headerFor(context, AxisModelSchema, *device), {}};
+    config->seed = model.header.seed;
+    if (const auto possible = configFrom(tuning, model.header.seed); !possible) {
+        return failure(possible.error());
+    }
+    if (const auto possible = actuator.identify.check(device->catalogue(), *config); !possible) {
+        return failure(possible.error());
+    }
+    const Result<IdentifyOutcome> outcome = actuator.identify.run(*device, *config, observerFor(context));
+    if (!outcome) {
+        return failure(outcome.error());
+    }
+    const auto* identified = std::get_if<AxesIdentifyResult>(&*outcome);
+    if (identified == nullptr) {
+        return failure(ErrorCode::Usage, "this device has several axes, but its identification is of one",
+                       "identify it and tune with the file");
+    }
+    if (identified->quality.verdict == Verdict::Refused) {
+        const auto& findings = identified->quality.findings;
+        return failure(ErrorCode::Refused,
+                       findings.empty() ? std::string("the identification was refused")
+                                        : findings.front().message,
+                       findings.empty() ? std::string() : findings.front().hint);
+    }
+    model.model = identified->model;
+    model.model.doubts = doubtsOfModel(identified->quality);
+    model.header.quality = identified->quality;
+    return tuneAxesOf(context, tuning, model, std::move(device));
+}
+
+CommandResult analyseAxesOf(CommandContext& context, const CommandOptions& options,
+                            const AxisModelFile& model) {
+    const auto work = workOf(context, options, model, "halbench.analysis/1");
+    if (!work) {
+        return failure(work.error());
+    }
+    auto result = judgedGains(options.gainsFile, model, *work);
+    if (!result) {
+        return failure(result.error());
+    }
+    // An analysis refuses none: what it is asked to show may be unstable.
+    for (TuneResult& axis : result->axes) {
+        axis.quality.verdict = std::min(axis.quality.verdict, Verdict::Doubtful);
+    }
+    result->quality.verdict = std::min(result->quality.verdict, Verdict::Doubtful);
+    const JsonValue document = axisAnalysisDocument(work->header, *result);
+    if (const auto done = deliver(context, document, axisAnalysisText(*result), ""); !done) {
+        return failure(done.error());
+    }
+    return ExitCode::Done;
+}
+
+} // namespace halbench::app

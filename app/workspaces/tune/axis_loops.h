@@ -1,0 +1,79 @@
+#pragma once
+
+#include "app/documents/axis_model_file.h"
+#include "app/procedures/tune/tune_axes.h"
+#include "control/design/crossover_design.h"
+#include "devices/device.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace halbench::app {
+
+/// Origin of the gains of one axis: a method with its targets, or a law that was edited or read.
+struct AxisChoice {
+    std::string method = "recommended"; ///< of control::axisDesignMethods(), or "device", "edited"
+    control::DesignTargets targets;
+    std::optional<LoopLaw> law; ///< with "device" and "edited"
+};
+
+/// A loop of one axis to be designed or judged; answered by a worker.
+struct AxisQuestion {
+    AxisModel model;
+    LoopConditions conditions; ///< with its axis
+    AxisChoice choice;
+    std::optional<LoopLaw> present; ///< of the device, drawn beside it
+};
+
+struct AxisAnswer {
+    TuneResult proposed;
+    std::optional<AnalysisResult> present;
+};
+
+/// A pure function. Errors: of tuneAxes and judgeAxes.
+Result<AxisAnswer> answerAxis(const AxisQuestion& question);
+
+/// State of the tuning of several axes, without widgets: model, surroundings, choice and answer of each axis.
+/// Thread: GUI.
+class AxisLoops {
+public:
+    /// Every axis begins with the recommended method.
+    void setModel(AxisModelFile model);
+    bool hasModel() const { return m_model.has_value(); }
+    const AxisModelFile& model() const { return *m_model; }
+    /// Surroundings and gains of the device as it is now; the axes whose question is another since.
+    /// Errors: of axisConditionsOf.
+    Result<std::vector<std::string>> readDevice(const devices::Catalogue& catalogue,
+                                                const std::map<std::string, double>& values);
+
+    std::vector<std::string> axes() const; ///< of the model, in its order
+    AxisChoice& choice(const std::string& axis) { return m_choices[axis]; }
+    std::optional<LoopLaw> present(const std::string& axis) const;
+    std::optional<AxisQuestion> question(const std::string& axis) const;
+
+    void setAnswer(const std::string& axis, Result<AxisAnswer> answer);
+    void forgetAnswer(const std::string& axis) { m_answers.erase(axis); }
+    /// Nothing before it was asked; an error where its gains cannot be judged.
+    const Result<AxisAnswer>* answer(const std::string& axis) const;
+
+    /// The law nearest to a crossover and phase margin. Errors: of designCrossover; Refused without an
+    /// answer.
+    Result<control::CrossoverDesign> filtered(const std::string& axis, const control::CrossoverAim& aim,
+                                              control::CrossoverPriority priority) const;
+    std::optional<control::CrossoverAim> aim(const std::string& axis) const;
+
+    /// The answers of these axes as one result: the worst verdict counts. Errors: of the first axis without
+    /// gains; Refused while one is not answered.
+    Result<TuneAxesResult> result(const std::vector<std::string>& axes) const;
+
+private:
+    std::optional<AxisModelFile> m_model;
+    std::map<std::string, LoopConditions> m_conditions;
+    std::map<std::string, LoopLaw> m_present;
+    std::map<std::string, AxisChoice> m_choices;
+    std::map<std::string, Result<AxisAnswer>> m_answers;
+};
+
+} // namespace halbench::app

@@ -1,0 +1,582 @@
+#include "app/workspaces/tune/axis_tune_panel.h"
+
+#include "app/figures/axis_figures.h"
+#include "app/procedures/tune/loop_verdict.h"
+#include "app/workbench/departure_text.h"
+#include "app/workspaces/parts/page_chooser.h"
+#include "app/workspaces/parts/preflight.h"
+#include "app/workspaces/parts/quality_view.h"
+#include "app/workspaces/tune/axis_gain_editor.h"
+#include "app/workspaces/tune/design_names.h"
+#include "app/workspaces/tune/loop_sliders.h"
+#include "app/workspaces/tune/loop_view.h"
+#include "control/design/axis_designs.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/optional_number_edit.h"
+#include "widgets/controls/progress_row.h"
+#include "widgets/controls/verdict_view.h"
+#include "widgets/figure/figure_view.h"
+#include "widgets/language/phrasebook.h"
+#include "widgets/theme/theme_style.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace halbench::app {
+
+AxisTunePanel::AxisTunePanel(Workbench& bench, QWidget* parent)
+    : QWidget(parent), m_bench(bench), m_message(new widgets::MessageBar(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(widgets::PanelMargin_px);
+    column->addWidget(m_message);
+    auto* splitter = new QSplitter(Qt::Horizontal, this);
+    splitter->setChildrenCollapsible(false);
+    QWidget* settings = buildSettings();
+    settings->setMinimumWidth(45 * fontMetrics().averageCharWidth());
+    splitter->addWidget(settings);
+    splitter->addWidget(buildFigures());
+    splitter->setStretchFactor(1, 1);
+    column->addWidget(splitter, 1);
+    connectParts();
+    refreshWords();
+}
+
+QWidget* AxisTunePanel::buildSettings() {
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(0, 0, widgets::PanelMargin_px, 0);
+    column->setSpacing(widgets::PanelMargin_px);
+    auto* form = new QFormLayout;
+    form->setSpacing(widgets::GridStep_px);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_axes = new QComboBox(content);
+    m_method = new QComboBox(content);
+    for (QComboBox* box : {m_axes, m_method}) {
+        auto* label = new QLabel(content);
+        label->setBuddy(box);
+        form->addRow(label, box);
+    }
+    const auto addTarget = [&](const char* key, std::optional<double> control::DesignTargets::*value) {
+        auto* edit = new widgets::OptionalNumberEdit(content);
+        edit->setLimits({0.0, 1e6, false});
+        auto* name = new QLabel(content);
+        form->addRow(name, edit);
+        m_targets.push_back({name, edit, key, value});
+    };
+    addTarget("zeta", &control::DesignTargets::zeta);
+    addTarget("omega-rad-s", &control::DesignTargets::omega_rad_s);
+    addTarget("bandwidth-hz", &control::DesignTargets::bandwidth_Hz);
+    addTarget("phase-margin-deg", &control::DesignTargets::phaseMargin_deg);
+    column->addLayout(form);
+    m_gains = new AxisGainEditor(content);
+    m_sliders = new LoopSliders(content);
+    m_verdict = new widgets::VerdictView(this);
+    m_preflight = new Preflight(m_bench, content);
+    m_scope = new QComboBox(this);
+    m_apply = new QPushButton(this);
+    m_restore = new QPushButton(this);
+    m_progress = new widgets::ProgressRow(this);
+    m_progress->hide();
+    widgets::setRole(*m_apply, widgets::Role::Primary);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_gains, m_sliders}) {
+        column->addWidget(part);
+    }
+    m_verdict->moveRemarks(*column); // its title stays in sight
+    column->addWidget(m_preflight);
+    column->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    auto* settings = new QWidget(this);
+    auto* all = new QVBoxLayout(settings);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(widgets::PanelMargin_px);
+    all->addWidget(scroll, 1);
+    all->addWidget(m_verdict); // the decision stays in sight, however far the rest is scrolled
+    all->addWidget(m_progress);
+    auto* buttons = new QGridLayout; // three in a row do not fit the width of the settings in every language
+    buttons->setSpacing(widgets::PanelMargin_px);
+    buttons->addWidget(m_apply, 0, 0);
+    buttons->addWidget(m_scope, 0, 1);
+    buttons->addWidget(m_restore, 1, 0);
+    buttons->setColumnStretch(2, 1);
+    all->addLayout(buttons);
+    return settings;
+}
+
+QWidget* AxisTunePanel::buildFigures() {
+    m_figures = new PageChooser(this);
+    m_loop = new LoopView(m_figures);
+    m_step = new widgets::FigureView(m_figures);
+    m_verification = new widgets::FigureView(m_figures);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_loop, m_step, m_verification}) {
+        m_figures->addPage(page);
+    }
+    constexpr int CharactersOfAPicture = 52;
+    m_figures->pairWhenWide(m_loop, m_step, 2 * CharactersOfAPicture * fontMetrics().averageCharWidth());
+    m_figures->setPageEnabled(m_verification, false);
+    return m_figures;
+}
+
+void AxisTunePanel::connectParts() {
+    const auto chosen = QOverload<int>::of(&QComboBox::currentIndexChanged);
+    connect(m_axes, chosen, this, [this] { chooseAxis(m_axes->currentData().toString().toStdString()); });
+    connect(m_method, chosen, this, &AxisTunePanel::chooseMethod);
+    connect(m_scope, chosen, this, &AxisTunePanel::refreshButtons);
+    for (const Target& target : m_targets) {
+        connect(target.edit, &widgets::OptionalNumberEdit::valueChanged, this, &AxisTunePanel::takeTargets);
+    }
+    connect(m_gains, &AxisGainEditor::edited, this, [this] {
+        if (const auto law = m_gains->law()) {
+            takeEdited(*law);
+        } else {
+            m_loops.setAnswer(m_axis, failure(law.error()));
+            showAxis();
+        }
+    });
+    const auto connectHand = [this](const auto* hand) {
+        using Hand = std::remove_cv_t<std::remove_pointer_t<decltype(hand)>>;
+        connect(hand, &Hand::crossoverMoved, this, [this](double crossover_rad_s) {
+            if (auto aim = m_loops.aim(m_axis)) {
+                aim->crossover_rad_s = crossover_rad_s;
+                shape(*aim, control::CrossoverPriority::Margin);
+            }
+        });
+        connect(hand, &Hand::phaseMarginMoved, this, [this](double margin_deg) {
+            if (auto aim = m_loops.aim(m_axis)) {
+                aim->phaseMargin_deg = margin_deg;
+                shape(*aim, control::CrossoverPriority::Crossover);
+            }
+        });
+    };
+    connectHand(m_sliders);
+    connectHand(m_loop);
+    connect(m_loop, &LoopView::loopsWanted, this, &AxisTunePanel::showAxis);
+    connect(m_preflight, &Preflight::changed, this, &AxisTunePanel::refreshButtons);
+    connect(m_apply, &QPushButton::clicked, this, &AxisTunePanel::apply);
+    connect(m_restore, &QPushButton::clicked, this, &AxisTunePanel::restore);
+    connect(m_progress, &widgets::ProgressRow::cancelRequested, &m_bench.session(),
+            &DeviceSession::abortProcedure);
+    connect(&m_bench, &Workbench::valuesChanged, this, &AxisTunePanel::onValues);
+    connect(&m_bench, &Workbench::displayUnitsChanged, this,
+            [this] { m_loop->setFrequencyUnit(m_bench.displayUnits().frequency); });
+    connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &AxisTunePanel::refreshButtons);
+    connect(&m_bench.session(), &DeviceSession::procedureProgress, this,
+            [this](double fraction, const QString& text) {
+                if (m_isApplying) {
+                    m_progress->setText(tr("Verification: %1").arg(widgets::inWords(text)));
+                    m_progress->setProgress(fraction);
+                }
+            });
+}
+
+void AxisTunePanel::refreshWords() {
+    const auto nameRow = [this](QComboBox& box, const QString& name, const QString& help) {
+        box.setAccessibleName(name);
+        box.setToolTip(help);
+    };
+    nameRow(*m_axes, tr("Axis"), tr("Axis of the loop shown"));
+    nameRow(*m_method, tr("Gains"), tr("Design method for the gains of this axis"));
+    nameRow(*m_scope, tr("Axes to apply"), tr("Gains that Apply and verify writes, in one transaction"));
+    for (QComboBox* box : {m_axes, m_method}) {
+        for (QObject* sibling : box->parent()->children()) {
+            auto* label = qobject_cast<QLabel*>(sibling);
+            if (label != nullptr && label->buddy() == box) {
+                label->setText(box->accessibleName());
+            }
+        }
+    }
+    const QString names[] = {tr("damping ratio"), tr("frequency [rad/s]"), tr("bandwidth [Hz]"),
+                             tr("phase margin [°]")};
+    for (std::size_t i = 0; i < m_targets.size(); ++i) {
+        m_targets[i].name->setText(names[i]);
+        m_targets[i].edit->setAccessibleName(names[i]);
+        m_targets[i].edit->setPlaceholderText(tr("chosen by the method"));
+    }
+    const int scope = std::max(m_scope->currentIndex(), 0);
+    const QSignalBlocker quiet(m_scope);
+    m_scope->clear();
+    m_scope->addItem(tr("all axes"));
+    m_scope->addItem(tr("this axis"));
+    m_scope->setCurrentIndex(scope);
+    m_apply->setText(tr("Apply and verify"));
+    m_apply->setToolTip(
+        tr("Write the gains in one transaction, then verify each axis with a step; Esc stops it"));
+    m_restore->setText(tr("Restore"));
+    m_restore->setToolTip(tr("Write the gains from before the last apply"));
+    m_figures->setTitle(m_loop, tr("Open loop"), tr("Bode, Nyquist and Nichols plot, and sensitivity"));
+    m_figures->setTitle(m_step, tr("Step"), tr("The test step with friction and effort limit"));
+    m_figures->setTitle(m_verification, tr("Verification"),
+                        tr("Measured step over its prediction, after Apply and verify"));
+    m_figures->setAccessibleName(tr("Predictions"));
+    if (m_loops.hasModel()) {
+        showAxis();
+    }
+}
+
+void AxisTunePanel::setModel(const AxisModelFile& model) {
+    m_loops.setModel(model);
+    m_verified.reset();
+    const QSignalBlocker quiet(m_axes);
+    m_axes->clear();
+    for (const std::string& id : m_loops.axes()) {
+        const devices::AxisSpec* spec = m_bench.session().catalogue().findAxis(id);
+        m_axes->addItem(QString::fromStdString(spec != nullptr ? spec->title : id),
+                        QString::fromStdString(id));
+    }
+    m_axis.clear();
+    onValues(); // conditions of the device
+    for (const std::string& id : m_loops.axes()) {
+        ask(id);
+    }
+    chooseAxis(m_loops.axes().front());
+    showVerification();
+}
+
+void AxisTunePanel::onValues() {
+    const DeviceSession& session = m_bench.session();
+    if (m_isApplying || session.state() != SessionState::Connected || !isFor(session.info().model)) {
+        refreshButtons();
+        return;
+    }
+    const auto changed = m_loops.readDevice(m_bench.session().catalogue(), m_bench.deviceValues());
+    if (!changed) {
+        showError(changed.error());
+    } else if (!m_axis.empty()) { // else setModel() asks for all of them
+        for (const std::string& id : *changed) {
+            AxisChoice& choice = m_loops.choice(id);
+            if (choice.method == "device") {
+                choice.law = m_loops.present(id);
+            }
+            ask(id);
+        }
+    }
+    refreshButtons();
+}
+
+bool AxisTunePanel::isFor(const std::string& model) const {
+    return m_loops.hasModel() && m_loops.model().header.device &&
+           m_loops.model().header.device->model == model;
+}
+
+void AxisTunePanel::chooseAxis(const std::string& axis) {
+    if (axis.empty()) {
+        return;
+    }
+    m_axis = axis;
+    const QSignalBlocker quiet(m_method);
+    m_method->clear();
+    for (const control::DesignMethod& method : control::axisDesignMethods()) {
+        const std::string name(method.name);
+        m_method->addItem(designTitle(name), QString::fromStdString(name));
+    }
+    for (const char* name : {"device", "edited"}) {
+        m_method->addItem(designTitle(name), QString::fromLatin1(name));
+    }
+    const AxisChoice& choice = m_loops.choice(axis);
+    m_method->setCurrentIndex(m_method->findData(QString::fromStdString(choice.method)));
+    for (const Target& target : m_targets) {
+        const QSignalBlocker quietTarget(target.edit);
+        target.edit->setValue(choice.targets.*target.value);
+    }
+    refreshTargets();
+    showAxis();
+    showVerification();
+}
+
+void AxisTunePanel::refreshTargets() {
+    const std::string method = m_method->currentData().toString().toStdString();
+    const auto& methods = control::axisDesignMethods();
+    const auto found = std::find_if(methods.begin(), methods.end(),
+                                    [&](const control::DesignMethod& each) { return each.name == method; });
+    for (const Target& target : m_targets) {
+        const bool isRead =
+            found != methods.end() && found->targets.find(target.key) != std::string_view::npos;
+        target.name->setVisible(isRead);
+        target.edit->setVisible(isRead);
+    }
+}
+
+void AxisTunePanel::chooseMethod() {
+    if (m_axis.empty()) {
+        return;
+    }
+    AxisChoice& choice = m_loops.choice(m_axis);
+    choice.method = m_method->currentData().toString().toStdString();
+    choice.law.reset();
+    if (choice.method == "device") {
+        choice.law = m_loops.present(m_axis);
+        if (!choice.law) {
+            m_loops.setAnswer(m_axis, failure(ErrorCode::Refused, "the gains of the device are not known",
+                                              "connect it and wait until its values are read"));
+            showAxis();
+            return;
+        }
+    } else if (choice.method == "edited") {
+        choice.law = m_gains->law().value_or(LoopLaw{});
+    }
+    refreshTargets();
+    takeTargets();
+}
+
+/// Only those that the method reads.
+void AxisTunePanel::takeTargets() {
+    AxisChoice& choice = m_loops.choice(m_axis);
+    choice.targets = {};
+    for (const Target& target : m_targets) {
+        if (!target.edit->isHidden()) {
+            choice.targets.*target.value = target.edit->value();
+        }
+    }
+    ask(m_axis);
+}
+
+void AxisTunePanel::takeEdited(const LoopLaw& law) {
+    AxisChoice& choice = m_loops.choice(m_axis);
+    choice.method = "edited";
+    choice.targets = {};
+    choice.law = law;
+    const QSignalBlocker quiet(m_method);
+    m_method->setCurrentIndex(m_method->findData(QStringLiteral("edited")));
+    refreshTargets();
+    ask(m_axis);
+}
+
+void AxisTunePanel::shape(const control::CrossoverAim& aim, control::CrossoverPriority priority) {
+    const auto design = m_loops.filtered(m_axis, aim, priority);
+    if (!design) {
+        m_sliders->sayProblem(widgets::inWords(design.error().message));
+        return;
+    }
+    m_sliders->sayLimit(aim, *design);
+    const TuneResult& proposed = (*m_loops.answer(m_axis))->proposed;
+    LoopLaw law(proposed.law, proposed.filtered);
+    law.law.gains = design->gains;
+    if (law.filtered) {
+        const std::optional<double> filter_s = law.filtered->gains.filter_s;
+        law.filtered->gains = design->gains;
+        law.filtered->gains.filter_s = filter_s;
+    }
+    takeEdited(law);
+}
+
+/// Nothing is applied that its prediction has not caught up with.
+void AxisTunePanel::ask(const std::string& axis) {
+    if (axis != m_axis) { // what is shown stays until its own answer
+        m_loops.forgetAnswer(axis);
+    }
+    m_waiting.erase(std::remove(m_waiting.begin(), m_waiting.end(), axis), m_waiting.end());
+    m_waiting.push_back(axis);
+    askNext();
+    refreshButtons();
+}
+
+void AxisTunePanel::askNext() {
+    if (m_task.isBusy() || m_waiting.empty()) {
+        return;
+    }
+    const std::string axis = m_waiting.front();
+    m_waiting.erase(m_waiting.begin());
+    const std::optional<AxisQuestion> question = m_loops.question(axis);
+    if (!question) {
+        return;
+    }
+    m_task.run([question = *question] { return answerAxis(question); },
+               [this, axis](Result<AxisAnswer> answer) {
+                   const bool isOld = std::find(m_waiting.begin(), m_waiting.end(), axis) != m_waiting.end();
+                   m_loops.setAnswer(axis, std::move(answer));
+                   if (axis == m_axis) {
+                       showAxis();
+                   }
+                   if (!isOld) {
+                       showVerdict();
+                   }
+                   askNext();
+                   refreshButtons();
+               });
+}
+
+void AxisTunePanel::showAxis() {
+    const Result<AxisAnswer>* answer = m_loops.answer(m_axis);
+    if (answer == nullptr) {
+        return;
+    }
+    if (!*answer) {
+        showVerdict();
+        m_step->clear();
+        refreshButtons();
+        return;
+    }
+    const TuneResult& proposed = (*answer)->proposed;
+    const LoopAxis& axis = *proposed.conditions.axis;
+    if (m_loops.choice(m_axis).method != "edited" || !m_gains->isAncestorOf(focusWidget())) {
+        m_gains->setLaw(LoopLaw(proposed.law, proposed.filtered), axis);
+    }
+    m_sliders->setLoop(m_loops.aim(m_axis), proposed.conditions.timing);
+    m_loop->setLoops(proposed.predicted, (*answer)->present, {});
+    m_step->setFigure(
+        axisStepFigure(axis, proposed.predicted, (*answer)->present).value_or(widgets::Figure{}));
+    showVerdict();
+}
+
+/// The worst axis sets it.
+void AxisTunePanel::showVerdict() {
+    const auto result = m_loops.result(m_loops.axes());
+    if (!result) {
+        const bool isWaiting = m_task.isBusy() || !m_waiting.empty();
+        m_verdict->setVerdict(
+            widgets::VerdictLevel::Doubtful,
+            isWaiting ? tr("Computing the loops") : widgets::inWords(result.error().message),
+            isWaiting ? std::vector<widgets::Remark>()
+                      : std::vector<widgets::Remark>{{widgets::inWords(result.error().hint), {}}});
+        return;
+    }
+    const auto worst = std::max_element(result->axes.begin(), result->axes.end(),
+                                        [](const TuneResult& one, const TuneResult& other) {
+                                            return one.quality.verdict < other.quality.verdict;
+                                        });
+    const QString words = widgets::inWords(loopVerdict(result->quality.verdict, worst->warnings, true));
+    const bool areAllGood = result->quality.verdict == Verdict::Good;
+    m_verdict->setVerdict(
+        verdictLevel(result->quality.verdict),
+        areAllGood ? tr("All axes: %1").arg(words)
+                   : tr("Axis %1: %2").arg(QString::fromStdString(worst->conditions.axis->id), words),
+        remarksOf(result->quality.findings));
+}
+
+std::vector<std::string> AxisTunePanel::axesToApply() const {
+    return m_scope->currentIndex() == 0 ? m_loops.axes() : std::vector<std::string>{m_axis};
+}
+
+void AxisTunePanel::refreshButtons() {
+    const DeviceSession& session = m_bench.session();
+    const bool isIdle = session.state() == SessionState::Connected && session.procedure().isEmpty();
+    const auto result =
+        m_loops.hasModel() ? m_loops.result(axesToApply()) : failure(ErrorCode::Refused, "", "");
+    const bool isUsable = result && result->quality.verdict != Verdict::Refused;
+    const bool isCurrent = m_waiting.empty() && !m_task.isBusy();
+    m_apply->setEnabled(isIdle && isUsable && isCurrent && m_preflight->isPassed() && !m_isApplying);
+    m_restore->setEnabled(isIdle && !m_before.empty() && !session.report().board.isArmed);
+}
+
+void AxisTunePanel::apply() {
+    const auto result = m_loops.result(axesToApply());
+    const auto config = result
+                            ? applyAxesConfig(m_bench.session().catalogue(), m_loops.model().model, *result)
+                            : failure(result.error());
+    if (!config) {
+        showError(config.error());
+        return;
+    }
+    m_message->clear();
+    const QPointer<AxisTunePanel> self(this);
+    m_isApplying = m_bench.session().runProcedure(
+        tr("Apply"),
+        [config = *config](devices::Device& device, const ProcedureObserver& observer) {
+            return runApplyAxes(device, config, observer);
+        },
+        [self](const Result<ApplyAxesResult>& applied) {
+            if (self) {
+                self->finishApply(applied);
+            }
+        });
+    m_progress->setText(tr("Writing the gains"));
+    m_progress->setProgress(0.0);
+    m_progress->setVisible(m_isApplying);
+    refreshButtons();
+}
+
+void AxisTunePanel::finishApply(const Result<ApplyAxesResult>& result) {
+    m_isApplying = false;
+    m_progress->hide();
+    if (!result) {
+        if (const auto departure = departureMessage(m_bench.session(), result.error())) {
+            m_message->showMessage(*departure);
+        } else if (result.error().code == ErrorCode::Interrupted) {
+            m_message->showMessage(
+                {widgets::Severity::Information, tr("Cancelled. Previous gains restored."), {}, {}});
+        } else {
+            showError(result.error());
+        }
+        refreshButtons();
+        return;
+    }
+    m_verified = *result;
+    if (result->isKept) {
+        m_before = result->before;
+        const QString done = tr("Applied, and every verification step went as predicted.");
+        m_bench.session().message(MessageLevel::Info, tr("Tune"), done);
+        m_message->showMessage({widgets::Severity::Success, done, {}, {}});
+    } else {
+        const auto& findings = result->quality.findings;
+        m_message->showMessage(
+            {widgets::Severity::Warning,
+             tr("The gains from before run again: a verification step did not go as predicted."),
+             findings.empty() ? QString() : widgets::inWords(findings.front().message),
+             {}});
+    }
+    m_bench.refreshValues();
+    showVerification();
+    m_figures->setCurrent(m_verification);
+    refreshButtons();
+}
+
+void AxisTunePanel::showVerification() {
+    std::optional<widgets::Figure> figure;
+    const bool isAny = m_verified && !m_verified->axes.empty();
+    if (isAny) {
+        const auto& axes = m_verified->axes;
+        const auto own = std::find_if(axes.begin(), axes.end(), [this](const AxisVerification& each) {
+            return each.axis.id == m_axis;
+        });
+        figure = axisVerificationFigure(own == axes.end() ? axes.front() : *own);
+    }
+    m_figures->setPageEnabled(m_verification, isAny);
+    m_verification->setFigure(figure.value_or(widgets::Figure{}));
+}
+
+void AxisTunePanel::restore() {
+    const QPointer<AxisTunePanel> self(this);
+    m_bench.writeValues(m_before, [self](const Result<void>& written) {
+        if (!self) {
+            return;
+        }
+        if (!written) {
+            self->showError(written.error());
+            return;
+        }
+        self->m_before.clear();
+        self->m_message->showMessage(
+            {widgets::Severity::Information, tr("Previous gains restored."), {}, {}});
+        self->refreshButtons();
+    });
+}
+
+void AxisTunePanel::showError(const Error& error) {
+    m_message->showMessage(
+        {widgets::Severity::Error, widgets::inWords(error.message), widgets::inWords(error.hint), {}});
+}
+
+void AxisTunePanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        refreshWords();
+    }
+}
+
+} // namespace halbench::app

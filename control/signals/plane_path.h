@@ -1,0 +1,60 @@
+#pragma once
+
+#include "control/signals/travel_profile.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace halbench::control {
+
+/// A path of two axes from rest to rest. The limits are those of the vectors of speed, acceleration, jerk.
+///
+/// Circle: counter-clockwise, begins in the origin, with its centre a radius away along +x (-x for a
+/// negative radius). Raster: lines along x, forth and back, a pitch along y between them; it rests at every
+/// corner.
+struct PlanePathConfig {
+    enum class Shape { Circle, Raster };
+    Shape shape = Shape::Circle;
+    double radius = 0.0;
+    int turns = 1;
+    double width = 0.0;
+    double pitch = 0.0;
+    int lines = 1;
+    TravelLimits limits;
+};
+
+/// x and y at one instant.
+using PlanePoint = std::array<TravelPoint, 2>;
+
+/// The path as a board with a sample period follows it: a piece ends with the first sample behind its end,
+/// where the next one begins.
+class PlanePath {
+public:
+    /// Errors: as TravelProfile::solve, the size that is wrong named.
+    static Result<PlanePath> make(const PlanePathConfig& config, double period_s);
+
+    PlanePoint at(double time_s) const;
+    double duration_s() const;
+    /// From a point to the nearest one of the whole path: its contour error.
+    double distanceFrom(double x, double y) const;
+    /// Largest distance from the origin along each axis.
+    std::array<double, 2> reach() const;
+
+private:
+    struct Piece {
+        double from_s;
+        double x, y; ///< where it begins
+        bool isAlongX;
+        TravelProfile profile;
+    };
+    PlanePath() = default;
+    Result<void> addPiece(double length, bool isAlongX, const TravelLimits& limits);
+    PlanePoint onCircle(const TravelPoint& along) const;
+
+    PlanePathConfig m_config;
+    double m_period_s = 1e-3;
+    std::vector<Piece> m_pieces;
+};
+
+} // namespace halbench::control

@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef HB_BOARD_MPS2_AN386_CONFIG_H
+#define HB_BOARD_MPS2_AN386_CONFIG_H
+
+/* The full library on a Cortex-M4F with an HB-SxI line. build.sh names the actuator (HB_ACTUATOR). */
+#define HB_SXI_BAUD 115200
+#define HB_FEATURE_FUSED_TRIG 1
+
+#endif

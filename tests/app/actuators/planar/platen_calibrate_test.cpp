@@ -1,0 +1,142 @@
+#include "app/actuators/planar/chip_fit.h"
+#include "app/actuators/planar/crosstalk_fit.h"
+#include "app/actuators/planar/platen_calibrate.h"
+#include "app/actuators/planar/platen_motion.h"
+#include "tests/app/actuators/planar/simulated_platen.h"
+
+#include <cmath>
+
+namespace halbench::app {
+namespace {
+
+constexpr double Gamma_per_m = 123.68475;
+
+/// The chips of this specimen in the form of the fit; its zero and orientation are the machine's own.
+ChipCalibration trueChips(std::uint64_t seed) {
+    const models::PlanarSpecimen specimen = models::drawSpecimen(models::PlanarParameters{}, seed);
+    ChipCalibration chips;
+    for (std::size_t j = 0; j < models::ChipCount; ++j) {
+        const models::HallChip& chip = specimen.chips[j];
+        chips.amplitude_T[j] = chip.amplitude_T;
+        chips.gain[j] = {chip.sensitivity(0, 0) - 1.0, chip.sensitivity(1, 1) - 1.0};
+        chips.cross[j] = {chip.sensitivity(0, 1), chip.sensitivity(1, 0)};
+        chips.offset_T[j] = chip.offset_T;
+        chips.place_m[j] = chip.place_m;
+    }
+    return chips;
+}
+
+CalibrateResult calibrated(devices::Device& device, const CalibrateConfig& config) {
+    const auto result = actuatorOf("planar").calibrate.run(device, config, {});
+    EXPECT_TRUE(result) << result.error().message << " " << result.error().hint;
+    return result ? *result : CalibrateResult{};
+}
+
+double figure(const CalibrateResult& result, const std::string& name) {
+    for (const CalibrationFigure& each : result.figures) {
+        if (each.name == name) {
+            return each.estimate.value.value_or(NAN);
+        }
+    }
+    ADD_FAILURE() << name;
+    return NAN;
+}
+
+TEST(PlatenCalibrate, leavesAHundredthOfThePeriodicErrorAsTheTruthConfirms) {
+    const auto device = openPlaten("seed=3");
+    ASSERT_NE(device, nullptr);
+    const auto before = readBoard(*device);
+    ASSERT_TRUE(before);
+    CalibrateConfig config;
+    config.which = {Calibration::Hall};
+    config.apply = true;
+    const CalibrateResult result = calibrated(*device, config);
+    EXPECT_TRUE(result.isApplied);
+    EXPECT_EQ(result.quality.verdict, Verdict::Good);
+    const auto after = readBoard(*device);
+    ASSERT_TRUE(after);
+    // The second route: the specimen's own chips.
+    const ChipCalibration truth = trueChips(3);
+    const Eigen::Vector3d was = periodicError(truth, before->chips, Gamma_per_m);
+    const Eigen::Vector3d is = periodicError(truth, after->chips, Gamma_per_m);
+    EXPECT_GT(was.x(), 20e-6); // 1 % of gain alone gives 57 um (resources/help/planar-theory.md section 7)
+    EXPECT_NEAR(figure(result, "error_x_before") / was.x(), 1.0, 0.15);
+    EXPECT_NEAR(figure(result, "error_y_before") / was.y(), 1.0, 0.15);
+    EXPECT_LT(is.x(), 3e-6); // half of the noise of one reading
+    EXPECT_LT(is.y(), 3e-6);
+    // The estimate of what remains is of the order of the truth.
+    EXPECT_LT(figure(result, "error_x_after"), 3e-6);
+    EXPECT_GT(figure(result, "error_x_after"), 0.1 * is.x());
+}
+
+TEST(PlatenCalibrate, findsTheFieldOfTheCurrentsAtTheChips) {
+    const auto device = openPlaten("seed=2&crosstalk=1");
+    ASSERT_NE(device, nullptr);
+    models::PlanarParameters parameters;
+    parameters.crosstalk_ratio = 1.0;
+    const models::PlanarSpecimen specimen = models::drawSpecimen(parameters, 2);
+    const CalibrateResult result = calibrated(*device, CalibrateConfig{});
+    int held = 0;
+    for (int i = 0; i < models::FieldCount * models::CoilCount; ++i) {
+        const double truth = specimen.crosstalk_T_per_A(i / models::CoilCount, i % models::CoilCount);
+        for (const CalibrationFigure& each : result.figures) {
+            if (each.name == "crosstalk." + std::to_string(i + 1)) {
+                held += holds(each.estimate, truth);
+                // 0.6 mT/A is the largest (section 7 there); a fifteenth of it makes 16 um at 1 A.
+                EXPECT_NEAR(*each.estimate.value, truth, 4e-5) << each.name;
+            }
+        }
+    }
+    EXPECT_GE(held, 30); // of 36 intervals of 95 %: 30 or more with probability 0.997
+    EXPECT_FALSE(result.isApplied);
+}
+
+TEST(PlatenCalibrate, putsTheBoardBackWhenNothingIsApplied) {
+    const auto device = openPlaten("");
+    ASSERT_NE(device, nullptr);
+    const std::vector<std::string> names = {"chip.gain_x_1", "chip.place_y_3", "speed.estimator", "hb.mode"};
+    const auto before = device->readParameters(names);
+    CalibrateConfig config;
+    config.which = {Calibration::Hall};
+    const CalibrateResult result = calibrated(*device, config);
+    EXPECT_EQ(result.proposed.size(), 27U);
+    EXPECT_EQ(*device->readParameters(names), *before);
+    EXPECT_FALSE(device->state().isArmed);
+}
+
+TEST(PlatenCalibrate, putsEverythingBackWhereverItEnds) {
+    for (const ProcedureState last :
+         {ProcedureState::Prepare, ProcedureState::Excite, ProcedureState::Record, ProcedureState::Fit,
+          ProcedureState::Judge, ProcedureState::Propose, ProcedureState::Apply, ProcedureState::Verify}) {
+        const auto device = openPlaten("crosstalk=1");
+        ASSERT_NE(device, nullptr);
+        const std::vector<std::string> names = {"chip.gain_x_1", "chip.crosstalk_1", "chip.place_y_3",
+                                                "speed.estimator", "window.position_enabled"};
+        const auto before = device->readParameters(names);
+        bool isEnding = false;
+        ProcedureObserver observer;
+        observer.onState = [&](ProcedureState state) { isEnding = isEnding || state == last; };
+        observer.checkAbort = [&]() -> Result<void> {
+            return isEnding ? failure(ErrorCode::Interrupted, "ended by the test", "none") : Result<void>();
+        };
+        CalibrateConfig config;
+        config.apply = true;
+        const auto result = actuatorOf("planar").calibrate.run(*device, config, observer);
+        ASSERT_FALSE(result) << procedureStateName(last);
+        EXPECT_EQ(result.error().code, ErrorCode::Interrupted);
+        EXPECT_FALSE(device->state().isArmed) << procedureStateName(last);
+        EXPECT_EQ(*device->readParameters(names), *before) << procedureStateName(last);
+    }
+}
+
+TEST(PlatenCalibrate, refusesStaticFrictionAndAMotorsProcedure) {
+    const auto device = openPlaten("");
+    ASSERT_NE(device, nullptr);
+    CalibrateConfig config;
+    config.which = {Calibration::StaticFriction};
+    EXPECT_EQ(actuatorOf("planar").calibrate.run(*device, config, {}).error().code, ErrorCode::Usage);
+    EXPECT_EQ(runCalibrate(*device, {}, {}).error().code, ErrorCode::Usage);
+}
+
+} // namespace
+} // namespace halbench::app

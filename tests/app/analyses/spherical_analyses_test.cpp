@@ -1,0 +1,352 @@
+#include "app/analyses/registry/analyses.h"
+#include "control/base/random.h"
+#include "control/base/units.h"
+#include "models/spherical/orientation.h"
+#include "models/spherical/rotor_field.h"
+#include "models/spherical/spherical_plant.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr std::uint64_t Seed = 20;
+constexpr double Noise_T = 100e-6;
+
+/// Poses spread over the workspace, read by ideal sensors at the published places with the given noise.
+devices::RecordedFile recordedPoses(int rows, double noise_T) {
+    auto layout = std::make_shared<StreamLayout>();
+    for (int i = 0; i < 9; ++i) {
+        constexpr std::array Axes = {"r", "theta", "phi"};
+        layout->columns.push_back(
+            {"field." + std::to_string(i / 3) + "." + Axes[static_cast<std::size_t>(i % 3)], "T"});
+    }
+    for (const char* angle : {"truth.alpha", "truth.beta", "truth.gamma"}) {
+        layout->columns.push_back({angle, "rad"});
+    }
+    devices::RecordedFile file;
+    const models::RotorField field{models::RotorFieldConfig{}};
+    const models::SensorPoses poses =
+        models::sensorPoses(models::publishedPlacement(), models::SensorFrames::Zyx, 0.05);
+    Random random(Seed);
+    for (int row = 0; row < rows; ++row) {
+        const auto angle = [&](double limit_deg) {
+            return degreesToRadians(limit_deg * (2.0 * random.uniform() - 1.0));
+        };
+        const models::OrientationAngles angles{angle(44.0), angle(44.0), angle(89.0)};
+        const models::SphericalReadings readings = field.readings_T(models::rotationOf(angles), poses);
+        file.recording.time_s.push_back(0.001 * row);
+        for (int i = 0; i < 9; ++i) {
+            file.recording.values.push_back(readings[i] + noise_T * random.gaussian());
+        }
+        for (const double value : {angles.alpha_rad, angles.beta_rad, angles.gamma_rad}) {
+            file.recording.values.push_back(value);
+        }
+    }
+    file.recording.layout = layout;
+    return file;
+}
+
+Result<AnalysisOutcome> run(const char* name, const std::map<std::string, std::string>& texts,
+                            const std::map<std::string, bool>& flags = {},
+                            const devices::RecordedFile* file = nullptr,
+                            const AnalysisControl& control = {}) {
+    const Analysis* analysis = findAnalysis(name);
+    const Result<AnalysisValues> values = parseAnalysisValues(*analysis, texts, flags);
+    if (!values) {
+        return failure(values.error());
+    }
+    return analysis->run(*values, file, "motion.csv", control);
+}
+
+double number(const JsonValue& body, std::initializer_list<const char*> path) {
+    const JsonValue* node = &body;
+    for (const char* key : path) {
+        node = node->find(key);
+        if (node == nullptr) {
+            ADD_FAILURE() << "no " << key;
+            return NAN;
+        }
+    }
+    return node->number();
+}
+
+} // namespace
+
+// spherical-theory.md section 7: 0.0286 degrees rms at 100 uT with a known strength. 3000 poses have a
+// standard error of the rms of about 1 %; the workspace without its outermost degree and the poses' own
+// spread add one.
+TEST(OrientationAnalysisTest, errorsAreThoseOfTheNoise) {
+    const devices::RecordedFile file = recordedPoses(3000, Noise_T);
+    const auto result = run("orient", {}, {{"truth", true}, {"known_strength", true}}, &file);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(number(result->body, {"determined"}), 3000.0);
+    EXPECT_NEAR(number(result->body, {"truth", "rms_deg"}), 0.0286, 0.03 * 0.0286);
+    EXPECT_EQ(number(result->body, {"truth", "wrong_branches"}), 0.0);
+    // Nine readings, five tensor coordinates: four degrees of freedom, standard error sqrt(8 / 3000) = 0.05.
+    EXPECT_NEAR(number(result->body, {"chi_square", "mean"}), 4.0, 0.16);
+    EXPECT_EQ(result->quality.verdict, Verdict::Good);
+}
+
+// 95 % of the true angles lie within their intervals: binomial, 3 sigma of 3000 poses are 1.2 %.
+TEST(OrientationAnalysisTest, intervalsHoldTheTruth) {
+    const devices::RecordedFile file = recordedPoses(3000, Noise_T);
+    const auto result = run("orient", {{"tolerance", "none"}}, {{"truth", true}}, &file);
+    ASSERT_TRUE(result);
+    const AnalysisTable& table = *result->table;
+    const std::size_t width = table.columns.size();
+    const auto column = [&](const char* name) {
+        return static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), name) -
+                                        table.columns.begin());
+    };
+    for (std::size_t angle = 0; angle < 3; ++angle) {
+        int held = 0;
+        for (std::size_t row = 0; row < 3000; ++row) {
+            const double truth = file.recording.values[row * 12 + 9 + angle];
+            const double value = table.values[row * width + column("alpha_rad") + angle];
+            held += std::abs(value - truth) <= table.values[row * width + column("alpha_half95_rad") + angle];
+        }
+        EXPECT_NEAR(held / 3000.0, 0.95, 0.012) << table.columns[column("alpha_rad") + angle];
+    }
+}
+
+// Readings of specimens as assembled: gains, offsets, frames, cross-axis shares and places within the stated
+// tolerance. Cut Gaussians: intervals of 95 % hold at least 95 % of them; poses of one specimen belong
+// together.
+TEST(OrientationAnalysisTest, intervalsHoldTheErrorsOfSensorsThatWereNeverCalibrated) {
+    devices::RecordedFile file = recordedPoses(3000, Noise_T);
+    const models::RotorField field{models::RotorFieldConfig{}};
+    for (std::size_t row = 0; row < 3000; ++row) {
+        double* values = &file.recording.values[12 * row];
+        const models::SphericalSpecimen specimen = models::drawSphericalSpecimen({}, row / 10);
+        const models::SphericalReadings readings =
+            field.readings_T(models::rotationOf({values[9], values[10], values[11]}), specimen.poses);
+        const models::SphericalReadings ideal = field.readings_T(
+            models::rotationOf({values[9], values[10], values[11]}),
+            models::sensorPoses(models::publishedPlacement(), models::SensorFrames::Zyx, 0.05));
+        for (Eigen::Index i = 0; i < 9; ++i) {
+            const models::FieldSensorConfig& sensor = specimen.sensors[static_cast<std::size_t>(i / 3)];
+            const Eigen::Vector3d scaled = sensor.gain_ratio.cwiseProduct(readings.segment<3>(3 * (i / 3)));
+            values[i] += scaled[i % 3] + sensor.crossAxis_ratio.row(i % 3).dot(scaled) +
+                         sensor.offset_T[i % 3] - ideal[i];
+        }
+    }
+    const auto result = run("orient", {}, {{"truth", true}}, &file);
+    ASSERT_TRUE(result);
+    const AnalysisTable& table = *result->table;
+    const std::size_t width = table.columns.size();
+    const auto column = [&](const char* name) {
+        return static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), name) -
+                                        table.columns.begin());
+    };
+    EXPECT_GT(number(result->body, {"truth", "rms_deg"}), 0.8); // far more than the noise alone, 0.03
+    for (std::size_t angle = 0; angle < 3; ++angle) {
+        int held = 0;
+        for (std::size_t row = 0; row < 3000; ++row) {
+            const double truth = file.recording.values[row * 12 + 9 + angle];
+            const double value = table.values[row * width + column("alpha_rad") + angle];
+            held += std::abs(value - truth) <= table.values[row * width + column("alpha_half95_rad") + angle];
+        }
+        EXPECT_GE(held / 3000.0, 0.92) << table.columns[column("alpha_rad") + angle];
+        EXPECT_LE(held / 3000.0, 0.995) << table.columns[column("alpha_rad") + angle];
+    }
+}
+
+TEST(OrientationAnalysisTest, aCalibrationCorrectsTheReadingsAndItsToleranceRemains) {
+    devices::RecordedFile file = recordedPoses(500, Noise_T);
+    for (std::size_t row = 0; row < 500; ++row) {
+        file.recording.values[12 * row] *= 1.03;     // R of sensor 0
+        file.recording.values[12 * row + 4] += 3e-3; // Theta of sensor 1
+    }
+    const std::string path = testing::TempDir() + "orient_calibration.json";
+    std::ofstream(path)
+        << R"({"schema": "halbench.calibration/1", "figures": {}, "before": [], "applied": false,
+        "proposed": [{"name": "sensor.gain_1", "value": 0.03}, {"name": "sensor.offset_5", "value": 0.003},
+                     {"name": "sensor.deviation", "value": 1e-4}, {"name": "sensor.tolerance", "value": 5e-4}],
+        "data_quality": {"verdict": "good", "findings": []}})";
+    const auto plain = run("orient", {}, {{"truth", true}}, &file);
+    const auto calibrated = run("orient", {{"calibration", path}}, {{"truth", true}}, &file);
+    ASSERT_TRUE(plain);
+    ASSERT_TRUE(calibrated) << calibrated.error().message;
+    EXPECT_GT(number(plain->body, {"truth", "rms_deg"}), 0.2);
+    // The noise alone, with a free strength 3 % more than section 7; one reading's noise is scaled by 1.03.
+    EXPECT_NEAR(number(calibrated->body, {"truth", "rms_deg"}), 0.0295, 0.06 * 0.0295);
+    // Tolerance five times the noise: the cone is sqrt(26) times that of the noise, 2.3 sigma of 0.02
+    // degrees.
+    EXPECT_NEAR(number(calibrated->body, {"cone95_deg", "median"}), 0.06 * std::sqrt(26.0), 0.08);
+    EXPECT_EQ(run("orient", {{"calibration", path}, {"harmonics", "h1"}}, {}, &file).error().code,
+              ErrorCode::Usage);
+    std::ofstream(path)
+        << R"({"schema": "halbench.calibration/1", "figures": {}, "before": [], "proposed": [],
+        "applied": false, "data_quality": {"verdict": "good", "findings": []}})";
+    EXPECT_EQ(run("orient", {{"calibration", path}}, {}, &file).error().code, ErrorCode::InvalidInput);
+    std::remove(path.c_str());
+}
+
+// spherical-theory.md section 6: at home T1 has its maximum 0.35417 T^2 at |dg| = 90 degrees and 0.12789 at
+// the published place; both are on any lattice that divides 45 degrees.
+TEST(DifferencesAnalysisTest, ranksThePublishedPlace) {
+    const auto result =
+        run("differences", {{"device", "paper"}, {"step_deg", "45"}, {"pose_step_deg", "45"}});
+    ASSERT_TRUE(result) << result.error().message;
+    const JsonValue* rows = result->body.find("rows");
+    ASSERT_NE(rows, nullptr);
+    ASSERT_EQ(rows->items().size(), 8U);
+    const JsonValue& home = rows->items()[3];
+    EXPECT_NEAR(home.find("best_T2")->number(), 0.35417, 2e-4);
+    EXPECT_NEAR(home.find("claimed_T2")->number(), 0.12789, 2e-4);
+    EXPECT_GT(home.find("claimed_rank")->number(), 1.0);
+    EXPECT_EQ(run("differences", {{"step_deg", "7"}}).error().code, ErrorCode::Usage);
+}
+
+TEST(OrientationAnalysisTest, aMissingChannelIsLeftOutAndSaid) {
+    devices::RecordedFile file = recordedPoses(50, 0.0);
+    for (std::size_t row = 0; row < 50; ++row) {
+        file.recording.values[row * 12 + 4] = NAN;
+    }
+    const auto result = run("orient", {}, {{"truth", true}}, &file);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(number(result->body, {"determined"}), 50.0);
+    EXPECT_LT(number(result->body, {"truth", "worst_deg"}), 1e-6); // eight exact readings still determine it
+    ASSERT_FALSE(result->quality.findings.empty());
+    EXPECT_THAT(result->quality.findings.front().message,
+                testing::HasSubstr("field.1.theta: 50 values missing"));
+}
+
+TEST(OrientationAnalysisTest, withoutAnyChannelItIsRefused) {
+    const devices::RecordedFile file = recordedPoses(20, 0.0);
+    const auto result = run("orient", {{"range_mT", "1"}}, {}, &file);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(result->quality.verdict, Verdict::Refused);
+    EXPECT_EQ(number(result->body, {"determined"}), 0.0);
+}
+
+TEST(OrientationAnalysisTest, wrongInputIsRefusedWithItsName) {
+    devices::RecordedFile file = recordedPoses(5, 0.0);
+    const auto message = [&](const std::map<std::string, std::string>& texts) {
+        const auto result = run("orient", texts, {{"truth", true}}, &file);
+        return result ? std::string("accepted") : result.error().message;
+    };
+    EXPECT_THAT(message({{"q_T", "-0.1"}}), testing::HasSubstr("not positive"));
+    EXPECT_THAT(message({{"estimator", "guess"}}), testing::HasSubstr("--estimator: 'guess'"));
+    EXPECT_THAT(message({{"readings", "a,b"}}), testing::HasSubstr("2 names, not 9"));
+    EXPECT_THAT(message({{"placement", "0,0,0,0,0,0,45,45,-90"}}), testing::HasSubstr("same place"));
+    EXPECT_THAT(message({{"radius_mm", "40"}}), testing::HasSubstr("rotor"));
+    auto layout = std::make_shared<StreamLayout>(*file.recording.layout);
+    layout->columns[2].unit = "A";
+    file.recording.layout = layout;
+    EXPECT_THAT(message({}), testing::HasSubstr("'field.0.phi' is not in T"));
+    layout->columns[2].name = "other";
+    EXPECT_THAT(message({}), testing::HasSubstr("there is no signal 'field.0.phi'"));
+}
+
+TEST(OrientationAnalysisTest, readingsInAnotherUnitAreRefused) {
+    devices::RecordedFile file = recordedPoses(5, 0.0);
+    for (double& value : file.recording.values) {
+        value *= 1e3;
+    }
+    const auto result = run("orient", {}, {}, &file);
+    ASSERT_FALSE(result);
+    EXPECT_THAT(result.error().message, testing::HasSubstr("another unit"));
+}
+
+// spherical-theory.md section 6: gamma = 0.5 atan(sqrt(1/2)) = 17.6322 degrees, and 90 degrees less.
+TEST(CoverageAnalysisTest, findsTheCounterexampleOfThePublishedPlacement) {
+    const auto result = run("coverage", {{"step_deg", "5"}});
+    ASSERT_TRUE(result) << result.error().message;
+    const JsonValue* proof = result->body.find("proof");
+    EXPECT_EQ(proof->find("verdict")->text(), "refuted");
+    const JsonValue& theta = proof->find("components")->items()[1];
+    const double gamma_deg = number(theta, {"least_at", "gamma_deg"});
+    const double expected_deg = 0.5 * radiansToDegrees(std::atan(std::sqrt(0.5)));
+    EXPECT_NEAR(std::remainder(gamma_deg - expected_deg, 90.0), 0.0, 1e-6);
+    EXPECT_NEAR(number(theta, {"least_at", "alpha_deg"}), 0.0, 1e-6);
+    EXPECT_NEAR(number(theta, {"least_at", "beta_deg"}), 0.0, 1e-6);
+}
+
+// Section 6: 0.0306 % of the 0.5-degree grid are 3568 poses; the 1-degree grid has an eighth of them, to the
+// extent that the border of a small hole allows.
+TEST(CoverageAnalysisTest, recommendedPlacementIsProven) {
+    const auto result = run("coverage", {{"step_deg", "5"}, {"placement", "recommended"}});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_EQ(number(result->body, {"proof", "proven_components"}), 3.0);
+    EXPECT_NEAR(number(result->body, {"conditioning"}), 1.846, 5e-4);
+    EXPECT_EQ(number(result->body, {"count", "uncovered"}), 0.0);
+    EXPECT_EQ(result->table->values.size(), 4u * 19 * 19 * 36); // 5 degrees: 19, 19 and 36 angles
+}
+
+TEST(CoverageAnalysisTest, stopsWhenAsked) {
+    AnalysisControl control;
+    control.isStopped = [] { return true; };
+    const auto result = run("coverage", {}, {}, nullptr, control);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::Interrupted);
+}
+
+// A coarse lattice that holds the published places: the winner can only be better.
+TEST(PlacementAnalysisTest, winnerIsProvenAndOfThePareto) {
+    double progress = 0.0;
+    AnalysisControl control;
+    control.onProgress = [&](double share) { progress = std::max(progress, share); };
+    const auto result =
+        run("place", {{"step_deg", "45"}, {"objective", "conditioning"}}, {}, nullptr, control);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_LE(number(result->body, {"conditioning"}), 2.158); // of the published one, section 5.1
+    EXPECT_FALSE(result->body.find("pareto")->items().empty());
+    EXPECT_GT(progress, 0.5);
+}
+
+TEST(PlacementAnalysisTest, regionIsRefusedWhenItIsNone) {
+    for (const char* region : {"90", "120:60", "0:400", "a:b"}) {
+        const auto result = run("place", {{"step_deg", "45"}, {"theta_deg", region}});
+        ASSERT_FALSE(result) << region;
+        EXPECT_THAT(result.error().message, testing::HasSubstr(region));
+    }
+}
+
+// Section 10, figure 4: Theta of the main sensor 0.0991 T at beta = 45 degrees, of sensor 1 below the
+// threshold, of sensor 2 0.0725 T at beta = 0; last printed digit.
+TEST(ReadingsAnalysisTest, showsThePublishedFigure) {
+    const auto result = run("readings", {{"device", "paper"}, {"alpha_deg", "2"}, {"gamma_deg", "90"}});
+    ASSERT_TRUE(result) << result.error().message;
+    const AnalysisTable& table = *result->table;
+    const auto reading = [&](std::size_t row, std::size_t channel) {
+        return std::abs(table.values[row * table.columns.size() + 1 + channel]);
+    };
+    EXPECT_EQ(table.values.size(), 91u * 10u);
+    EXPECT_NEAR(reading(0, 1), 0.0991, 5e-5);
+    EXPECT_NEAR(reading(45, 1), 0.0, 5e-5);
+    EXPECT_NEAR(reading(0, 4), 0.0049, 5e-5);
+    EXPECT_NEAR(reading(45, 4), 0.0069, 5e-5);
+    EXPECT_NEAR(reading(45, 7), 0.0725, 5e-5);
+}
+
+// Sections 4 and 9: the additive inverse errs by 18.9 degrees rms on the physical device; 10 of 25 poses of
+// the first trajectory lie outside the workspace.
+TEST(EstimatorAnalysisTest, modelsAreCrossed) {
+    const auto crossed = run("estimators", {{"only", "closed"}, {"count", "5000"}});
+    ASSERT_TRUE(crossed) << crossed.error().message;
+    const JsonValue& closed = crossed->body.find("estimators")->items().front();
+    EXPECT_NEAR(number(closed, {"rms_deg"}), 18.9, 0.02 * 18.9);
+    const auto own = run("estimators", {{"only", "closed"}, {"device", "paper"}, {"poses", "trajectory1"}});
+    ASSERT_TRUE(own);
+    EXPECT_EQ(number(own->body, {"in_workspace"}), 15.0);
+    EXPECT_LT(number(own->body.find("estimators")->items().front(), {"worst_deg"}), 1e-9);
+}
+
+TEST(EstimatorAnalysisTest, theClosedFormIsNotForOtherPlaces) {
+    const auto result =
+        run("estimators", {{"only", "closed"}, {"placement", "recommended"}, {"count", "10"}});
+    ASSERT_TRUE(result);
+    const JsonValue& row = result->body.find("estimators")->items().front();
+    EXPECT_FALSE(row.find("suits")->boolean());
+    EXPECT_TRUE(row.find("rms_deg")->isNull());
+}
+
+} // namespace halbench::app

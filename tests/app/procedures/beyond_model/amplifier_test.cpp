@@ -1,0 +1,67 @@
+#include "tests/app/procedures/beyond_model/bad_amplifier.h"
+
+namespace halbench::app {
+namespace {
+
+IdentifyResult identified(const RecordedMotor& motor, std::uint64_t seed) {
+    IdentifyConfig config;
+    config.given.inertia_kg_m2 = motor.inertia_kg_m2;
+    config.seed = seed;
+    auto result = identifyRecording(recordedExcitation(motor, seed, config), config);
+    EXPECT_TRUE(result) << (result ? "" : result.error().message);
+    return result ? std::move(*result) : IdentifyResult{};
+}
+
+const Finding* findingOf(const IdentifyResult& result, const std::string& code) {
+    const auto found = std::find_if(result.quality.findings.begin(), result.quality.findings.end(),
+                                    [&code](const Finding& finding) { return finding.code == code; });
+    return found == result.quality.findings.end() ? nullptr : &*found;
+}
+
+void expectNotProportional(const RecordedMotor& motor, const std::string& text) {
+    const IdentifyResult result = identified(motor, 5);
+    EXPECT_EQ(result.quality.verdict, Verdict::Doubtful) << text;
+    const Finding* finding = findingOf(result, "torque_not_proportional");
+    ASSERT_TRUE(finding) << text;
+    EXPECT_NE(finding->message.find(text), std::string::npos) << finding->message;
+}
+
+TEST(IdentifyOnABadAmplifier, isRightOrNotGood) {
+    EXPECT_EQ(countWrongAndGoodOnBadAmplifiers(0, 23), 0); // three of each kind
+}
+
+TEST(IdentifyOnABadAmplifier, saysAboveWhichCurrentTheTorqueStopsGrowing) {
+    for (const double limit_A : {2.5, 3.0, 3.2}) {
+        RecordedMotor motor;
+        motor.amplifier = [limit_A](double current_A, double) {
+            return std::clamp(current_A, -limit_A, limit_A);
+        };
+        expectNotProportional(motor, "torque per ampere is");
+    }
+}
+
+TEST(IdentifyOnABadAmplifier, saysThatTheGainDiffersBetweenTheDirections) {
+    RecordedMotor motor;
+    motor.amplifier = [](double current_A, double) { return current_A < 0.0 ? 0.8 * current_A : current_A; };
+    expectNotProportional(motor, "between the directions");
+}
+
+TEST(IdentifyOnABadAmplifier, saysThatADeadZoneTakesCurrentAway) {
+    RecordedMotor motor;
+    motor.amplifier = [](double current_A, double) {
+        return std::copysign(std::max(std::fabs(current_A) - 0.3, 0.0), current_A);
+    };
+    expectNotProportional(motor, "torque is not proportional to the commanded current");
+}
+
+TEST(IdentifyOnABadAmplifier, motorsThatTheModelDescribesStayGood) {
+    int good = 0;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        Random random(52000 + seed);
+        good += identified(healthyMotor(random), seed).quality.verdict == Verdict::Good;
+    }
+    EXPECT_GE(good, 19); // 95 %
+}
+
+} // namespace
+} // namespace halbench::app

@@ -1,0 +1,41 @@
+#include "app/wizards/live_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+namespace halbench::app {
+namespace {
+
+SampleBlock blockOf(const std::vector<std::string>& names, std::vector<double> time_s,
+                    std::vector<double> values) {
+    auto layout = std::make_shared<StreamLayout>();
+    for (const std::string& name : names) {
+        layout->columns.push_back({name, ""});
+    }
+    SampleBlock block;
+    block.layout = layout;
+    block.time_s = std::move(time_s);
+    block.values = std::move(values);
+    return block;
+}
+
+TEST(LiveMotionTest, keepsRowsWithFieldsAndTheLastOrientation) {
+    LiveMotion motion;
+    EXPECT_FALSE(motion.orientation());
+    motion.take(blockOf({"hall.a"}, {0.0}, {0.1}));
+    EXPECT_EQ(motion.rows().rows(), 0U);
+    const std::vector<std::string> names = {"field.0.r", "orientation.w", "orientation.x", "orientation.y",
+                                            "orientation.z"};
+    // Upright, then a quarter turn about Z: w = z = sqrt(1/2).
+    const double half = std::sqrt(0.5);
+    motion.take(blockOf(names, {1.0, 3.5}, {0.1, 1.0, 0.0, 0.0, 0.0, 0.1, half, 0.0, 0.0, half}));
+    EXPECT_EQ(motion.rows().rows(), 2U);
+    EXPECT_DOUBLE_EQ(motion.elapsed_s(), 2.5);
+    ASSERT_TRUE(motion.orientation());
+    EXPECT_NEAR((*motion.orientation())(1, 0), 1.0, 1e-12); // X goes to Y
+}
+
+} // namespace
+} // namespace halbench::app

@@ -1,0 +1,137 @@
+#include "app/workspaces/tune/axis_tune_panel.h"
+#include "tests/app/workspaces/bench_fixture.h"
+#include "tests/app/workspaces/tune/axis_model_fixture.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace halbench::app {
+namespace {
+
+class AxisTunePanelTest : public BenchTest {
+protected:
+    void SetUp() override {
+        BenchTest::SetUp();
+        panel = std::make_unique<AxisTunePanel>(bench());
+        panel->resize(1000, 700);
+        panel->show();
+    }
+    void open(const char* address = "sim:planar?imperfections=off") {
+        connectTo(address, 0.0);
+        panel->setModel(platenModelFile());
+        ASSERT_TRUE(answered());
+    }
+    void TearDown() override { panel.reset(); }
+
+    bool answered() {
+        return wait([&] { return bool(panel->loops().result(panel->loops().axes())); });
+    }
+    QComboBox* box(const char* name) { return find<QComboBox>(*panel, name); }
+    void choose(const char* name, const char* data) {
+        box(name)->setCurrentIndex(box(name)->findData(QString::fromLatin1(data)));
+    }
+    bool shows(const QString& text) {
+        const auto labels = panel->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
+            return label->isVisible() && label->text().contains(text);
+        });
+    }
+
+    std::unique_ptr<AxisTunePanel> panel;
+};
+
+TEST_F(AxisTunePanelTest, gainsHaveTheUnitsOfTheChosenAxis) {
+    open();
+    EXPECT_EQ(panel->axis(), "x");
+    EXPECT_TRUE(shows("N/m"));
+    EXPECT_FALSE(shows("N·m/rad"));
+    choose("Axis", "phi");
+    EXPECT_EQ(panel->axis(), "phi");
+    EXPECT_TRUE(shows("N·m/rad"));
+}
+
+TEST_F(AxisTunePanelTest, eachAxisKeepsItsOwnMethod) {
+    open();
+    choose("Gains", "bandwidth");
+    choose("Axis", "y");
+    EXPECT_EQ(box("Gains")->currentData().toString(), "recommended");
+    choose("Axis", "x");
+    EXPECT_EQ(box("Gains")->currentData().toString(), "bandwidth");
+}
+
+TEST_F(AxisTunePanelTest, theChosenAxisIsAppliedVerifiedAndRestored) {
+    open();
+    const double before = parameter("gain.x.kp");
+    const double other = parameter("gain.y.kp");
+    choose("Gains", "pole-placement");
+    auto* omega = find<QLineEdit>(*panel, "frequency [rad/s]");
+    auto* zeta = find<QLineEdit>(*panel, "damping ratio");
+    omega->clear();
+    QTest::keyClicks(omega, "25");
+    zeta->clear();
+    QTest::keyClicks(zeta, "1");
+    box("Axes to apply")->setCurrentIndex(1); // this axis
+    auto* apply = find<QAbstractButton>(*panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return apply->isEnabled(); }));
+    const double wanted = (*panel->loops().answer("x"))->proposed.law.gains.proportional;
+    EXPECT_NE(wanted, before);
+    QTest::mouseClick(apply, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return shows("every verification step went as predicted"); }));
+    EXPECT_NEAR(parameter("gain.x.kp"), wanted, 1e-6 * wanted); // single precision
+    EXPECT_EQ(parameter("gain.y.kp"), other);
+    auto* restore = find<QAbstractButton>(*panel, "Restore");
+    ASSERT_TRUE(wait([&] { return restore->isEnabled(); }));
+    QTest::mouseClick(restore, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return shows("Previous gains restored."); }));
+    EXPECT_EQ(parameter("gain.x.kp"), before);
+}
+
+// Half of the mass that the model has: the steps take half of the predicted effort, which no band allows.
+TEST_F(AxisTunePanelTest, gainsOfAnotherMassArePutBack) {
+    open("sim:planar?imperfections=off&m=0.32");
+    std::map<std::string, double> before;
+    for (const char* gain : {"gain.x.kp", "gain.x.ki", "gain.x.kd", "gain.y.kp", "gain.phi.kp"}) {
+        before[gain] = parameter(gain);
+    }
+    choose("Gains", "pole-placement");
+    auto* omega = find<QLineEdit>(*panel, "frequency [rad/s]");
+    omega->clear();
+    QTest::keyClicks(omega, "25");
+    auto* apply = find<QAbstractButton>(*panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return apply->isEnabled(); }));
+    EXPECT_NE((*panel->loops().answer("x"))->proposed.law.gains.proportional, before["gain.x.kp"]);
+    QTest::mouseClick(apply, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return shows("a verification step did not go as predicted"); }));
+    for (const auto& [gain, value] : before) {
+        EXPECT_EQ(parameter(gain), value) << gain;
+    }
+    EXPECT_FALSE(find<QAbstractButton>(*panel, "Restore")->isEnabled()); // they run already
+    EXPECT_FALSE(session().report().board.isArmed);
+}
+
+TEST_F(AxisTunePanelTest, stopEndsTheVerificationAndRestoresTheGains) {
+    open();
+    const double before = parameter("gain.x.kp");
+    choose("Gains", "pole-placement");
+    auto* omega = find<QLineEdit>(*panel, "frequency [rad/s]");
+    omega->clear();
+    QTest::keyClicks(omega, "25");
+    auto* apply = find<QAbstractButton>(*panel, "Apply and verify");
+    ASSERT_TRUE(wait([&] { return apply->isEnabled(); }));
+    QTest::mouseClick(apply, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return !session().procedure().isEmpty(); }));
+    session().stopActuator();
+    ASSERT_TRUE(wait([&] { return session().procedure().isEmpty(); }));
+    EXPECT_FALSE(shows("every verification step went as predicted"));
+    EXPECT_EQ(parameter("gain.x.kp"), before);
+    EXPECT_FALSE(session().report().board.isArmed);
+}
+
+} // namespace
+} // namespace halbench::app

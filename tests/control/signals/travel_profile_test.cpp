@@ -1,0 +1,240 @@
+#include "control/base/random.h"
+#include "control/signals/plane_path.h"
+#include "control/signals/travel_profile.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace halbench::control {
+namespace {
+
+/// Evenly in the logarithm between two powers of ten.
+double decades(Random& random, double from, double to) {
+    return std::pow(10.0, from + (to - from) * random.uniform());
+}
+
+struct RandomMove {
+    double distance;
+    TravelLimits limits;
+};
+
+/// From a micrometre to a metre, each limit over several decades: all shapes of the seven pieces occur.
+RandomMove randomMove(Random& random) {
+    RandomMove move;
+    move.distance = (random.uniform() < 0.5 ? -1.0 : 1.0) * decades(random, -6.0, 0.0);
+    move.limits.speed = decades(random, -3.0, 1.0);
+    move.limits.acceleration = decades(random, -2.0, 2.0);
+    if (random.uniform() < 0.75) {
+        move.limits.jerk = decades(random, -1.0, 4.0);
+    }
+    return move;
+}
+
+// The pieces are polynomials: speed, acceleration and jerk are largest at the corners, which the figures of
+// the solution are. 1e-10 of the limits and 1e-8 of the distance leave the double precision of a handful of
+// operations three decades of room.
+TEST(TravelProfile, keepsItsLimitsAndArrivesOverManyRandomMoves) {
+    Random random(1);
+    std::array<int, 4> seen{}; // constant speed, constant acceleration only, jerks only, no jerk limit
+    for (int i = 0; i < 20000; ++i) {
+        const RandomMove move = randomMove(random);
+        const auto profile = TravelProfile::solve(move.distance, move.limits);
+        ASSERT_TRUE(profile) << profile.error().message;
+        constexpr double Slack = 1.0 + 1e-10;
+        ASSERT_LE(std::fabs(profile->peakSpeed()), move.limits.speed * Slack);
+        ASSERT_LE(std::fabs(profile->peakAcceleration()), move.limits.acceleration * Slack);
+        if (move.limits.jerk) {
+            ASSERT_TRUE(profile->jerk());
+            ASSERT_LE(std::fabs(*profile->jerk()), *move.limits.jerk * Slack);
+        } else {
+            ASSERT_FALSE(profile->jerk());
+        }
+        // Up to the end from both sides: the last instant before it and the end itself agree.
+        const double end_s = profile->duration_s();
+        ASSERT_EQ(profile->at(end_s).value, move.distance);
+        ASSERT_NEAR(profile->at(0.5 * end_s).value, 0.5 * move.distance, 1e-8 * std::fabs(move.distance));
+        // As fast as possible: one of the limits is reached in the middle of the travel.
+        const bool isFast = std::fabs(profile->peakSpeed()) > move.limits.speed * (1.0 - 1e-9);
+        const bool isStrong =
+            std::fabs(profile->peakAcceleration()) > move.limits.acceleration * (1.0 - 1e-9);
+        const bool isJerky =
+            move.limits.jerk && std::fabs(*profile->jerk()) > *move.limits.jerk * (1.0 - 1e-9);
+        ASSERT_TRUE(isJerky || (!move.limits.jerk && isStrong));
+        ++seen[!move.limits.jerk ? 3U : isFast ? 0U : isStrong ? 1U : 2U];
+    }
+    for (const int count : seen) {
+        EXPECT_GT(count, 500);
+    }
+}
+
+// Second route to position, speed and acceleration: the jerk integrated by its definition, in small steps.
+TEST(TravelProfile, isTheIntegralOfItsJerk) {
+    Random random(2);
+    int tried = 0;
+    while (tried < 40) {
+        const RandomMove move = randomMove(random);
+        const auto profile = TravelProfile::solve(move.distance, move.limits);
+        ASSERT_TRUE(profile);
+        if (profile->ramp_s() < 0.1 * profile->duration_s()) {
+            continue; // too few steps would fall into the ramps
+        }
+        ++tried;
+        constexpr int Steps = 20000;
+        const double step_s = profile->duration_s() / Steps;
+        TravelPoint sum;
+        for (int k = 0; k < Steps; ++k) {
+            // Acceleration is linear but for steps in which a corner lies, Simpson's rule is exact elsewhere.
+            const double time_s = k * step_s;
+            const double before = profile->at(time_s + 1e-9 * step_s).acceleration;
+            const double middle = profile->at(time_s + 0.5 * step_s).acceleration;
+            const double after = profile->at(time_s + (1.0 - 1e-9) * step_s).acceleration;
+            sum.value += sum.speed * step_s + step_s * step_s * (before + 2.0 * middle) / 6.0;
+            sum.speed += step_s * (before + 4.0 * middle + after) / 6.0;
+        }
+        // At each of six corners up to a step of the ramp's at least 2000 is wrong.
+        constexpr double Slack = 6.0 / 2000.0;
+        EXPECT_NEAR(sum.value / move.distance, 1.0, Slack);
+        EXPECT_NEAR(sum.speed, 0.0, Slack * std::fabs(profile->peakSpeed()));
+    }
+}
+
+TEST(TravelProfile, hasTheDurationsOfTheBook) {
+    // Trapezoid: d/v + v/a; the travels of figures 19 and 20 (resources/help/planar-theory.md section 10).
+    EXPECT_NEAR(TravelProfile::solve(0.05, {0.10512, 0.438, {}})->duration_s(), 0.05 / 0.10512 + 0.24, 1e-12);
+    EXPECT_NEAR(TravelProfile::solve(0.05, {0.10512, 0.438, {}})->ramp_s(), 0.24, 1e-12);
+    // All seven pieces: d/v + v/a + a/j.
+    EXPECT_NEAR(TravelProfile::solve(-1.0, {0.5, 2.0, 10.0})->duration_s(), 2.0 + 0.25 + 0.2, 1e-12);
+    // Jerks alone: 4 (d/2j)^(1/3).
+    EXPECT_NEAR(TravelProfile::solve(2e-6, {1.0, 10.0, 1.0})->duration_s(), 4.0 * 0.01, 1e-12);
+}
+
+TEST(TravelProfile, refusesLimitsThatNothingCanMoveBy) {
+    EXPECT_EQ(TravelProfile::solve(0.0, {1.0, 1.0, 1.0}).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(TravelProfile::solve(1.0, {0.0, 1.0, 1.0}).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(TravelProfile::solve(1.0, {1.0, -1.0, 1.0}).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(TravelProfile::solve(1.0, {1.0, 1.0, 0.0}).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(TravelProfile::solve(std::nan(""), {1.0, 1.0, 1.0}).error().code, ErrorCode::NotFinite);
+}
+
+PlanePathConfig circle(double radius, const TravelLimits& limits, int turns = 2) {
+    PlanePathConfig config;
+    config.radius = radius;
+    config.turns = turns;
+    config.limits = limits;
+    return config;
+}
+
+// Differences over h instead of the path's own derivatives; their error is h^2/24 of the next derivative, and
+// at a corner of the profile half a step's change: 1 % covers both at 1/2000 of the travel.
+TEST(PlanePath, keepsItsLimitsOnACircleAsVectors) {
+    Random random(3);
+    for (int i = 0; i < 200; ++i) {
+        TravelLimits limits{decades(random, -3.0, 0.0), decades(random, -1.0, 1.0), {}};
+        if (i % 2 == 0) {
+            limits.jerk = decades(random, 0.0, 3.0);
+        }
+        const auto path = PlanePath::make(circle(decades(random, -5.0, -1.5), limits, 1), 1e-3);
+        ASSERT_TRUE(path);
+        constexpr int Steps = 2000;
+        const double h = path->duration_s() / Steps;
+        for (int k = 0; k <= Steps; ++k) {
+            const PlanePoint point = path->at(k * h);
+            ASSERT_LE(std::hypot(point[0].speed, point[1].speed), limits.speed * (1.0 + 1e-10));
+            ASSERT_LE(std::hypot(point[0].acceleration, point[1].acceleration),
+                      limits.acceleration * (1.0 + 1e-10));
+            const PlanePoint next = path->at((k + 1) * h);
+            const double jerk = std::hypot(next[0].acceleration - point[0].acceleration,
+                                           next[1].acceleration - point[1].acceleration) /
+                                h;
+            if (limits.jerk) {
+                ASSERT_LE(jerk, *limits.jerk * 1.01) << i;
+            }
+            ASSERT_NEAR((next[0].value - point[0].value) / h, 0.5 * (point[0].speed + next[0].speed),
+                        0.01 * limits.speed + 0.5 * h * limits.acceleration);
+        }
+        EXPECT_NEAR(path->at(path->duration_s()).front().value, 0.0, 1e-12);
+        EXPECT_NEAR(path->at(path->duration_s()).back().value, 0.0, 1e-12);
+    }
+}
+
+TEST(PlanePath, circleTurnsCounterClockwiseAroundItsCentre) {
+    for (const double radius : {0.01, -0.01}) {
+        const auto path = PlanePath::make(circle(radius, {0.05, 1.0, 100.0}), 1e-3);
+        ASSERT_TRUE(path);
+        double turned = 0.0;
+        PlanePoint before = path->at(0.0);
+        for (double time_s = 0.0; time_s < path->duration_s(); time_s += 1e-3) {
+            const PlanePoint point = path->at(time_s);
+            EXPECT_NEAR(std::hypot(point[0].value - radius, point[1].value), 0.01, 1e-15);
+            // Angle by the cross product of the two arms: positive is counter-clockwise.
+            turned += std::asin(
+                ((before[0].value - radius) * point[1].value - before[1].value * (point[0].value - radius)) /
+                (0.01 * 0.01));
+            before = point;
+        }
+        EXPECT_NEAR(turned, 4.0 * 3.14159265358979, 1e-3);
+    }
+}
+
+TEST(PlanePath, rasterGoesForthAndBackFromLineToLine) {
+    PlanePathConfig config;
+    config.shape = PlanePathConfig::Shape::Raster;
+    config.width = 2e-3;
+    config.pitch = -1e-4;
+    config.lines = 3;
+    config.limits = {0.01, 1.0, {}};
+    const auto path = PlanePath::make(config, 1e-3);
+    ASSERT_TRUE(path);
+    // A line: 2e-3/0.01 + 0.01/1 = 0.21 s; a step of 1e-4 is just the triangle, 2 sqrt(1e-4) = 0.02 s.
+    EXPECT_NEAR(path->duration_s(), 3 * 0.21 + 2 * 0.02, 1e-9);
+    const std::array<std::array<double, 3>, 6> corners = {{{0.0, 0.0, 0.0},
+                                                           {0.21, 2e-3, 0.0},
+                                                           {0.23, 2e-3, -1e-4},
+                                                           {0.44, 0.0, -1e-4},
+                                                           {0.46, 0.0, -2e-4},
+                                                           {0.67, 2e-3, -2e-4}}};
+    for (const auto& [time_s, x, y] : corners) {
+        EXPECT_NEAR(path->at(time_s)[0].value, x, 1e-12) << time_s;
+        EXPECT_NEAR(path->at(time_s)[1].value, y, 1e-12) << time_s;
+        EXPECT_NEAR(path->at(time_s)[0].speed, 0.0, 1e-9) << time_s;
+    }
+    EXPECT_NEAR(path->reach()[0], 2e-3, 1e-15);
+    EXPECT_NEAR(path->reach()[1], 2e-4, 1e-15);
+}
+
+TEST(PlanePath, contourErrorIsTheDistanceFromTheNearestPointOfThePath) {
+    const auto round = PlanePath::make(circle(0.01, {0.05, 1.0, {}}), 1e-3);
+    ASSERT_TRUE(round);
+    EXPECT_NEAR(round->distanceFrom(0.01, 0.0), 0.01, 1e-15);
+    EXPECT_NEAR(round->distanceFrom(0.023, 0.0), 3e-3, 1e-15);
+    EXPECT_NEAR(round->distanceFrom(0.0, 0.0), 0.0, 1e-15);
+    PlanePathConfig config;
+    config.shape = PlanePathConfig::Shape::Raster;
+    config.width = 2e-3;
+    config.pitch = 1e-4;
+    config.lines = 2;
+    config.limits = {0.01, 1.0, {}};
+    const auto raster = PlanePath::make(config, 1e-3);
+    ASSERT_TRUE(raster);
+    EXPECT_NEAR(raster->distanceFrom(1e-3, 2e-5), 2e-5, 1e-15);    // above the first line
+    EXPECT_NEAR(raster->distanceFrom(1e-3, 7e-5), 3e-5, 1e-15);    // below the second
+    EXPECT_NEAR(raster->distanceFrom(2.03e-3, 5e-5), 3e-5, 1e-15); // beside the step between them
+    EXPECT_NEAR(raster->distanceFrom(-3e-5, -4e-5), 5e-5, 1e-15);  // off the start: 3, 4, 5
+}
+
+TEST(PlanePath, refusesAPathWithoutASize) {
+    EXPECT_EQ(PlanePath::make(circle(0.0, {1.0, 1.0, {}}), 1e-3).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(PlanePath::make(circle(0.1, {1.0, 1.0, {}}, 0), 1e-3).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(PlanePath::make(circle(0.1, {1.0, 0.0, {}}), 1e-3).error().code, ErrorCode::OutOfRange);
+    PlanePathConfig raster;
+    raster.shape = PlanePathConfig::Shape::Raster;
+    raster.width = 1e-3;
+    raster.lines = 2;
+    raster.limits = {1.0, 1.0, {}};
+    EXPECT_EQ(PlanePath::make(raster, 1e-3).error().code, ErrorCode::OutOfRange); // no pitch
+}
+
+} // namespace
+} // namespace halbench::control

@@ -1,0 +1,122 @@
+#include "control/base/units.h"
+#include "tests/widgets/gui_fixture.h"
+#include "widgets/actuators/spherical/sphere_view.h"
+#include "widgets/theme/theme_style.h"
+
+#include <QImage>
+#include <QPainter>
+#include <QtTest/QTest>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace halbench::widgets {
+namespace {
+
+class SphereViewTest : public GuiTest {
+protected:
+    static QImage drawn(const SphereView& view) {
+        QImage image(300, 300, QImage::Format_ARGB32);
+        QPainter painter(&image);
+        view.draw(painter, currentTheme(), image.size());
+        return image;
+    }
+    static Eigen::Matrix3d turned(double angle_rad, const Eigen::Vector3d& axis) {
+        return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix();
+    }
+
+    SphereView view;
+};
+
+// resources/help/spherical-theory.md section 2: aux 1 at theta 90, phi 45 degrees; aux 2 at (0, -0.70711,
+// -0.70711).
+TEST_F(SphereViewTest, sensorsSitWhereTheirPlacementSays) {
+    const double eighth = Pi / 4.0;
+    const SphereSensor first = sphereSensorAt({0.0, 0.0, eighth}, 0, 0.05);
+    EXPECT_NEAR(first.place_m.x(), 0.05 * std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(first.place_m.y(), 0.05 * std::sqrt(0.5), 1e-12);
+    for (int frames = 0; frames < 3; ++frames) {
+        const SphereSensor second = sphereSensorAt({eighth, eighth, -Pi / 2.0}, frames, 0.05);
+        EXPECT_TRUE(
+            second.place_m.isApprox(0.05 * Eigen::Vector3d(0.0, -std::sqrt(0.5), -std::sqrt(0.5)), 1e-9))
+            << frames;
+        EXPECT_TRUE(second.axes.col(0).isApprox(second.place_m.normalized(), 1e-9)); // R is radial
+        EXPECT_NEAR(second.axes.determinant(), 1.0, 1e-9);
+    }
+}
+
+TEST_F(SphereViewTest, sensorZeroReadsDownwardsAlongTheta) {
+    const SphereSensor main = sphereSensorAt({0.0, 0.0, 0.0}, 0, 0.05);
+    EXPECT_TRUE(main.axes.col(1).isApprox(-Eigen::Vector3d::UnitZ()));
+    EXPECT_TRUE(main.axes.col(2).isApprox(Eigen::Vector3d::UnitY()));
+}
+
+TEST_F(SphereViewTest, wantedDirectionsAreDotsInTheColourOfAWarning) {
+    const auto warnings = [this] {
+        const QImage image = drawn(view);
+        const QRgb warn = currentTheme().warn.rgb();
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                count += image.pixel(x, y) == warn;
+            }
+        }
+        return count;
+    };
+    view.setSight(0.0, Pi / 2.0); // from above
+    const int none = warnings();
+    view.setWanted({{Eigen::Vector3d::UnitZ(), 1.0}});
+    // A dot of 6.5 pixels radius: 133 pixels, less its soft border.
+    EXPECT_GT(warnings(), none + 90);
+    view.setWanted({{Eigen::Vector3d::UnitZ(), 0.0}});
+    EXPECT_EQ(warnings(), none);
+}
+
+TEST_F(SphereViewTest, aRotorWithTheSameFieldLooksTheSame) {
+    view.setOrientation(turned(0.4, Eigen::Vector3d::UnitX()), 0.0, SphereVerdict::Fresh);
+    view.clearPath();
+    const QImage once = drawn(view);
+    // Half a turn about the shaft is one of the four orientations with the same field.
+    view.setOrientation(turned(0.4, Eigen::Vector3d::UnitX()) * turned(Pi, Eigen::Vector3d::UnitZ()), 0.0,
+                        SphereVerdict::Fresh);
+    view.clearPath();
+    int different = 0;
+    const QImage again = drawn(view);
+    for (int y = 0; y < once.height(); ++y) {
+        for (int x = 0; x < once.width(); ++x) {
+            different += once.pixel(x, y) != again.pixel(x, y);
+        }
+    }
+    EXPECT_LT(different, 20); // corners of patches may round otherwise
+    view.setOrientation(turned(0.4, Eigen::Vector3d::UnitX()) * turned(Pi / 2.0, Eigen::Vector3d::UnitZ()),
+                        0.0, SphereVerdict::Fresh);
+    EXPECT_NE(drawn(view), once); // a quarter turn exchanges the poles
+}
+
+TEST_F(SphereViewTest, whatIsNotCertainIsSaid) {
+    EXPECT_TRUE(view.accessibleDescription().contains("unknown"));
+    view.setOrientation(turned(Pi / 6.0, Eigen::Vector3d::UnitX()), 0.001, SphereVerdict::Fresh);
+    EXPECT_TRUE(view.accessibleDescription().contains("30 degrees from Z"));
+    view.setOrientation(turned(Pi / 6.0, Eigen::Vector3d::UnitX()), 0.001, SphereVerdict::Held);
+    EXPECT_TRUE(view.accessibleDescription().contains("ambiguous"));
+    view.setStale(true);
+    EXPECT_TRUE(view.accessibleDescription().contains("old values"));
+    view.clear();
+    EXPECT_TRUE(view.accessibleDescription().contains("unknown"));
+}
+
+TEST_F(SphereViewTest, keysTurnThePictureAndHomeTurnsItBack) {
+    view.resize(300, 300);
+    view.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
+    const QImage first = drawn(view);
+    QTest::keyClick(&view, Qt::Key_Left);
+    EXPECT_NE(drawn(view), first);
+    QTest::keyClick(&view, Qt::Key_Home);
+    EXPECT_EQ(drawn(view), first);
+    QTest::keyClick(&view, Qt::Key_Up);
+    EXPECT_NE(drawn(view), first);
+}
+
+} // namespace
+} // namespace halbench::widgets

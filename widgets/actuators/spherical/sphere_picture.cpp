@@ -1,0 +1,138 @@
+#include "widgets/actuators/spherical/sphere_picture.h"
+
+#include "control/base/units.h"
+#include "widgets/actuators/spherical/sphere_view.h"
+#include "widgets/language/display_units.h"
+
+#include <QAction>
+#include <QVBoxLayout>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+namespace halbench::widgets {
+
+namespace {
+
+constexpr std::array SensorAxes = {"r", "theta", "phi"};
+constexpr int ResidualFlag = 4; ///< of the integrity: the readings do not fit the model
+
+std::string fieldRole(std::size_t channel) {
+    return "field." + std::to_string(channel / 3) + "." + SensorAxes[channel % 3];
+}
+
+Eigen::Matrix3d rotationOf(double alpha_rad, double beta_rad, double gamma_rad) {
+    return (Eigen::AngleAxisd(alpha_rad, Eigen::Vector3d::UnitX()) *
+            Eigen::AngleAxisd(beta_rad, Eigen::Vector3d::UnitY()) *
+            Eigen::AngleAxisd(gamma_rad, Eigen::Vector3d::UnitZ()))
+        .toRotationMatrix();
+}
+
+} // namespace
+
+SpherePicture::SpherePicture(QWidget* parent) : ActuatorPicture(parent), m_view(new SphereView(this)) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_view);
+    setFocusProxy(m_view);
+    auto* forget = new QAction(tr("&Clear path"), this);
+    forget->setToolTip(tr("Clear the path of the shaft (Alt+C)"));
+    connect(forget, &QAction::triggered, m_view, &SphereView::clearPath);
+    addAction(forget);
+}
+
+void SpherePicture::showSettings(const ActuatorValues& values) {
+    std::array<SphereSensor, 3> sensors;
+    const int frames = static_cast<int>(values.parameter("sensor.frames").value_or(0.0));
+    for (std::size_t i = 0; i < sensors.size(); ++i) {
+        const std::string number = std::to_string(i);
+        std::array<double, 3> angles_rad{};
+        constexpr std::array Names = {"sensor.alpha_", "sensor.beta_", "sensor.gamma_"};
+        for (std::size_t k = 0; k < angles_rad.size(); ++k) {
+            const std::optional<double> angle = values.parameter(Names[k] + number);
+            if (!angle) {
+                return;
+            }
+            angles_rad[k] = *angle;
+        }
+        sensors[i] =
+            sphereSensorAt(angles_rad, frames, values.parameter("sensor.radius_" + number).value_or(0.05));
+    }
+    m_view->setSensors(sensors);
+}
+
+void SpherePicture::showSamples(const ActuatorValues& values) {
+    const auto value = [&](const std::string& role) { return values.signal(role).value_or(0.0); };
+    const std::optional<double> real = values.signal("orientation.w");
+    if (!real) {
+        return;
+    }
+    const Eigen::Quaterniond quaternion(*real, value("orientation.x"), value("orientation.y"),
+                                        value("orientation.z"));
+    const bool isHeld = values.signal("orientation.fresh").value_or(1.0) < 0.5;
+    const bool isDoubtful = (static_cast<int>(value("integrity")) & ResidualFlag) != 0;
+    m_view->setOrientation(quaternion.normalized().toRotationMatrix(), value("shaft.cone95"),
+                           isHeld       ? SphereVerdict::Held
+                           : isDoubtful ? SphereVerdict::Doubtful
+                                        : SphereVerdict::Fresh);
+    std::array<double, 9> readings_T{};
+    for (std::size_t channel = 0; channel < readings_T.size(); ++channel) {
+        readings_T[channel] = value(fieldRole(channel));
+    }
+    m_view->setReadings(readings_T);
+    describe(values);
+}
+
+void SpherePicture::describe(const ActuatorValues& values) {
+    const auto degrees = [&](const char* role) {
+        const std::optional<double> angle = values.signal(role);
+        return fixedText(angle ? std::optional(radiansToDegrees(*angle)) : std::nullopt, 2);
+    };
+    m_numbers =
+        tr("α %1°, β %2°, γ %3° (γ about Z first, then β about Y, then α about X)")
+            .arg(degrees("orientation.alpha"), degrees("orientation.beta"), degrees("orientation.gamma"));
+    m_numbers +=
+        QLatin1Char('\n') + tr("q %1 mT, chi-square %2, 95 % cone ±%3°")
+                                .arg(fixedText(1e3 * values.signal("strength").value_or(0.0), 2),
+                                     fixedText(values.signal("chi_square"), 1), degrees("shaft.cone95"));
+    if (const std::optional<double> alpha = values.signal("truth.alpha")) {
+        m_view->setTruth(rotationOf(*alpha, values.signal("truth.beta").value_or(0.0),
+                                    values.signal("truth.gamma").value_or(0.0)));
+        m_numbers += QLatin1Char('\n') +
+                     tr("simulated truth: α %1°, β %2°, γ %3°")
+                         .arg(degrees("truth.alpha"), degrees("truth.beta"), degrees("truth.gamma"));
+    } else {
+        m_view->setTruth({});
+    }
+}
+
+void SpherePicture::setStale(bool isStale) {
+    m_view->setStale(isStale);
+}
+
+void SpherePicture::clear() {
+    m_view->clear();
+    m_numbers.clear();
+}
+
+ActuatorPicture::Drawing SpherePicture::drawing() const {
+    return [this](QPainter& painter, const Theme& theme, const QSizeF& size) {
+        m_view->draw(painter, theme, size);
+    };
+}
+
+ActuatorView sphereActuatorView() {
+    ActuatorView view{"spherical",
+                      {"orientation.w", "orientation.x", "orientation.y", "orientation.z"},
+                      {"orientation.alpha", "orientation.beta", "orientation.gamma", "orientation.fresh",
+                       "shaft.cone95", "integrity", "chi_square", "strength", "truth.alpha", "truth.beta",
+                       "truth.gamma"},
+                      [](QWidget* parent) { return new SpherePicture(parent); }};
+    for (std::size_t channel = 0; channel < 9; ++channel) {
+        view.wished.push_back(fieldRole(channel));
+    }
+    return view;
+}
+
+} // namespace halbench::widgets

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "widgets/actuators/actuator_view.h"
+
+namespace halbench::widgets {
+
+class SphereView;
+
+/// A rotor that turns in all directions as a live picture: as its board measures it, with the field at each
+/// sensor, and the true one beside it when it is simulated (resources/help/monitor.md, "Orientation").
+class SpherePicture final : public ActuatorPicture {
+    Q_OBJECT
+public:
+    explicit SpherePicture(QWidget* parent = nullptr);
+
+    void showSettings(const ActuatorValues& values) override;
+    void showSamples(const ActuatorValues& values) override;
+    void setStale(bool isStale) override;
+    void clear() override;
+    QString numbers() const override { return m_numbers; }
+    Drawing drawing() const override;
+
+private:
+    void describe(const ActuatorValues& values);
+
+    SphereView* m_view;
+    QString m_numbers;
+};
+
+ActuatorView sphereActuatorView();
+
+} // namespace halbench::widgets
