@@ -58,12 +58,19 @@ struct TimedBlock {
 
 using TimedBlockSink = std::function<void(const TimedBlock&)>;
 
+/// From a time on the rows of a recording have another distance: the stream was slower for a while.
+struct RateChange {
+    double time_s = 0.0; ///< of the first row
+    double period_s = 0.0;
+};
+
 /// A finished recording held in memory: concatenated blocks of one layout.
 struct Recording {
     std::shared_ptr<const StreamLayout> layout;
     std::vector<double> time_s;
     std::vector<double> values;
     std::uint64_t lostRows = 0;
+    std::vector<RateChange> rates = {}; ///< by time; empty: layout->period_s throughout
 
     std::size_t rows() const { return time_s.size(); }
     void append(const SampleBlock& block);
