@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 
 namespace halbench::app {
@@ -14,15 +12,14 @@ namespace {
 /// "Now" of somebody who marks a moment is as old as the last report of the device.
 constexpr double ReportAge_s = 0.5;
 
-/// A row that comes later than this many periods has a gap before it.
-constexpr double GapFactor = 1.5;
 /// Drops that follow each other so closely are told as one.
 constexpr double DropDistance_s = 1.0;
 
 } // namespace
 
 Recorder::Recorder(RecorderConfig config)
-    : m_config(std::move(config)), m_layout(std::make_shared<const StreamLayout>(m_config.layout)),
+    : m_config(std::move(config)),
+      m_rows(std::make_shared<const StreamLayout>(m_config.layout), m_config.end_s),
       m_thread([this] { run(); }) {}
 
 Recorder::~Recorder() {
@@ -42,7 +39,7 @@ void Recorder::push(TimedBlock block) {
         }
         m_queued_rows += block.rows();
         const bool isLast = m_config.end_s && block.rows() > 0 && block.end_s() >= *m_config.end_s;
-        m_queue.push_back(std::move(block));
+        m_queue.push_back({std::move(block), std::exchange(m_isAfterDrop, false)});
         if (isLast) {
             m_status.state = RecorderStatus::State::Finishing;
         }
@@ -54,6 +51,7 @@ void Recorder::noteDrop(const TimedBlock& block) {
     if (block.rows() == 0) {
         return;
     }
+    m_isAfterDrop = true;
     m_status.droppedRows += block.rows();
     const double begin_s = block.begin_s();
     if (m_drops.empty() || begin_s < m_drops.back().begin_s ||
@@ -94,7 +92,7 @@ void Recorder::run() {
     options.flushInterval_s = m_config.flushInterval_s;
     options.disk = m_config.disk;
     auto writer =
-        devices::RecordingWriter::create(m_config.path, *m_layout, m_config.meta, std::move(options));
+        devices::RecordingWriter::create(m_config.path, m_config.layout, m_config.meta, std::move(options));
     if (!writer) {
         end(failure(writer.error()));
         return;
@@ -113,7 +111,7 @@ void Recorder::run() {
 /// Until the recording is finished and the queue is empty, or the disk refuses.
 Result<void> Recorder::writeAll(devices::RecordingWriter& writer) {
     for (;;) {
-        std::deque<TimedBlock> blocks;
+        std::deque<Waiting> blocks;
         {
             std::unique_lock lock(m_mutex);
             m_wake.wait(lock, [this] {
@@ -125,8 +123,8 @@ Result<void> Recorder::writeAll(devices::RecordingWriter& writer) {
             blocks.swap(m_queue);
             m_queued_rows = 0;
         }
-        for (const TimedBlock& block : blocks) {
-            if (Result<void> written = write(writer, block); !written) {
+        for (const Waiting& waiting : blocks) {
+            if (Result<void> written = write(writer, waiting); !written) {
                 return written;
             }
         }
@@ -134,61 +132,8 @@ Result<void> Recorder::writeAll(devices::RecordingWriter& writer) {
     }
 }
 
-void Recorder::followLayout(const SampleBlock& block) {
-    m_sourceRow += block.lostRows;
-    if (m_source == block.layout) {
-        return;
-    }
-    m_source = block.layout;
-    m_sourceRow = 0;
-    m_columns.clear();
-    for (const StreamLayout::Column& column : m_layout->columns) {
-        m_columns.push_back(m_source->indexOf(column.name));
-    }
-    const double ratio = m_source->period_s > 0.0 ? m_layout->period_s / m_source->period_s : 1.0;
-    m_stride = static_cast<std::size_t>(std::max(1.0, std::round(ratio)));
-}
-
-void Recorder::appendRow(SampleBlock& rows, const TimedBlock& block, std::size_t row) const {
-    rows.time_s.push_back(block.time_s(row) - *m_first_s);
-    for (const int column : m_columns) {
-        rows.values.push_back(column < 0 ? std::numeric_limits<double>::quiet_NaN()
-                                         : block.block->value(row, static_cast<std::size_t>(column)));
-    }
-}
-
-std::uint64_t Recorder::missingBefore(double time_s) const {
-    const double steps = (time_s - m_last_s) / m_layout->period_s;
-    return m_layout->period_s > 0.0 && steps > GapFactor ? static_cast<std::uint64_t>(std::round(steps) - 1.0)
-                                                         : 0;
-}
-
-/// The rows to keep, split before every gap: a block of the file follows its gap.
-std::vector<SampleBlock> Recorder::keptRows(const TimedBlock& block) {
-    std::vector<SampleBlock> parts;
-    for (std::size_t row = 0; row < block.rows(); ++row) {
-        const double time_s = block.time_s(row);
-        const bool isBeyond = m_config.end_s && time_s >= *m_config.end_s;
-        if (m_sourceRow++ % m_stride != 0 || (m_first_s && time_s <= m_last_s) || isBeyond) {
-            continue;
-        }
-        const std::uint64_t missing = m_first_s ? missingBefore(time_s) : 0;
-        if (parts.empty() || missing > 0) {
-            parts.emplace_back();
-            parts.back().layout = m_layout;
-            parts.back().lostRows = missing;
-            parts.back().isBreak = block.block->isBreak && row == 0;
-        }
-        m_first_s = m_first_s ? m_first_s : time_s;
-        m_last_s = time_s;
-        appendRow(parts.back(), block, row);
-    }
-    return parts;
-}
-
-Result<void> Recorder::write(devices::RecordingWriter& writer, const TimedBlock& block) {
-    followLayout(*block.block);
-    for (const SampleBlock& part : keptRows(block)) {
+Result<void> Recorder::write(devices::RecordingWriter& writer, const Waiting& waiting) {
+    for (const SampleBlock& part : m_rows.take(waiting.block, waiting.isAfterDrop)) {
         if (Result<void> written = writer.append(part); !written) {
             return written;
         }
@@ -196,8 +141,8 @@ Result<void> Recorder::write(devices::RecordingWriter& writer, const TimedBlock&
         m_status.rows += part.rows();
         m_status.missingRows += part.lostRows;
         m_status.gaps += part.lostRows > 0 ? 1 : 0;
-        m_status.gaps_s += static_cast<double>(part.lostRows) * m_layout->period_s;
-        m_status.elapsed_s = m_last_s - *m_first_s;
+        m_status.gaps_s += static_cast<double>(part.lostRows) * m_rows.step_s();
+        m_status.elapsed_s = m_rows.last_s() - m_rows.first_s().value_or(0.0);
     }
     return {};
 }
@@ -205,7 +150,7 @@ Result<void> Recorder::write(devices::RecordingWriter& writer, const TimedBlock&
 /// On the recording's axis, as far as they belong to it.
 devices::RecordingEvents Recorder::events() const {
     const std::lock_guard lock(m_mutex);
-    const double first_s = m_first_s.value_or(0.0);
+    const double first_s = m_rows.first_s().value_or(0.0);
     devices::RecordingEvents events;
     for (const auto& marker : m_markers) {
         if (marker.time_s >= first_s - ReportAge_s) { // else it is of a time before this recording
@@ -220,6 +165,7 @@ devices::RecordingEvents Recorder::events() const {
             {std::max(0.0, drop.begin_s - first_s), fmt::format("{} rows lost: disk too slow", drop.rows)});
     }
     events.droppedRows = m_status.droppedRows;
+    events.rates = m_rows.rates();
     return events;
 }
 
@@ -232,17 +178,19 @@ void Recorder::noteEvents(devices::RecordingWriter& writer) const {
         writer.addChange(change.time_s, change.name, change.value);
     }
     writer.setDroppedRows(all.droppedRows);
+    writer.setRates(all.rates);
 }
 
 /// What is new of them is with the disk as soon as the rows around it are. A sidecar that cannot be kept
 /// costs no row: the one before serves a recovery, and the end of the recording writes its own.
 void Recorder::keepEvents(devices::RecordingWriter& writer) {
     const devices::RecordingEvents all = events();
-    const std::size_t count = all.markers.size() + all.changes.size();
-    const bool isDue = !m_eventsKept_s || m_last_s - *m_eventsKept_s >= m_config.flushInterval_s ||
-                       m_last_s < *m_eventsKept_s;
-    if (m_first_s && count != m_keptEvents && isDue) {
-        m_eventsKept_s = m_last_s;
+    const std::size_t count = all.markers.size() + all.changes.size() + all.rates.size();
+    const double last_s = m_rows.last_s();
+    const bool isDue =
+        !m_eventsKept_s || last_s - *m_eventsKept_s >= m_config.flushInterval_s || last_s < *m_eventsKept_s;
+    if (m_rows.first_s() && count != m_keptEvents && isDue) {
+        m_eventsKept_s = last_s;
         m_keptEvents = count;
         (void)writer.keepEvents(all);
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/session/row_selection.h"
 #include "control/base/result.h"
 #include "control/base/sample_block.h"
 #include "devices/recording/recording_meta.h"
@@ -71,25 +72,26 @@ private:
         std::uint64_t rows = 0;
     };
 
+    struct Waiting { ///< for the disk
+        TimedBlock block;
+        bool isAfterDrop = false;
+    };
+
     void run();
-    std::vector<SampleBlock> keptRows(const TimedBlock& block);
-    Result<void> write(devices::RecordingWriter& writer, const TimedBlock& block);
+    Result<void> write(devices::RecordingWriter& writer, const Waiting& waiting);
     Result<void> writeAll(devices::RecordingWriter& writer);
     devices::RecordingEvents events() const;
     void noteEvents(devices::RecordingWriter& writer) const;
     void keepEvents(devices::RecordingWriter& writer);
     void noteDrop(const TimedBlock& block);
-    void followLayout(const SampleBlock& block);
-    void appendRow(SampleBlock& rows, const TimedBlock& block, std::size_t row) const;
-    std::uint64_t missingBefore(double time_s) const;
     void end(const Result<void>& result);
 
     const RecorderConfig m_config;
-    const std::shared_ptr<const StreamLayout> m_layout;
 
     mutable std::mutex m_mutex; ///< guards the queue and the status
     std::condition_variable m_wake;
-    std::deque<TimedBlock> m_queue;
+    std::deque<Waiting> m_queue;
+    bool m_isAfterDrop = false; ///< the next block
     std::size_t m_queued_rows = 0;
     std::vector<devices::RecordingMeta::Marker> m_markers;
     std::vector<devices::RecordingMeta::ParameterChange> m_changes;
@@ -97,12 +99,7 @@ private:
     RecorderStatus m_status;
 
     // Of the recorder's thread alone.
-    std::shared_ptr<const StreamLayout> m_source; ///< of the newest block
-    std::vector<int> m_columns;                   ///< of the source, by column here; -1: does not come
-    std::size_t m_stride = 1;                     ///< one of so many rows of the source is kept
-    std::uint64_t m_sourceRow = 0;
-    std::optional<double> m_first_s;
-    double m_last_s = 0.0;
+    RowSelection m_rows;
     std::size_t m_keptEvents = 0;         ///< with the sidecar that a recovery would find
     std::optional<double> m_eventsKept_s; ///< when, on the clock of the blocks
 

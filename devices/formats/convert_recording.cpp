@@ -189,6 +189,7 @@ Result<Recording> selectPart(const Recording& recording, const std::vector<std::
                                          recording.time_s.back()));
     }
     part.layout = std::make_shared<const StreamLayout>(std::move(layout));
+    part.rates = recording.rates;
     return part;
 }
 

@@ -121,6 +121,8 @@ void takeHeaderProperty(const Property& property, RecordingMeta& meta) {
         meta.device.overrides.emplace_back(property.name, property.text);
     } else if (property.tree == "tags") {
         meta.tags.push_back(property.text);
+    } else if (property.tree == "rates") {
+        meta.rates.push_back({numberOf(property.name), numberOf(property.text)});
     } else if (property.name == "dropped_rows") {
         meta.droppedRows = static_cast<std::uint64_t>(std::max(0.0, numberOf(property.text)));
     } else if (property.name == "device.simulated") {
@@ -153,6 +155,13 @@ std::string headerComment(const RecordingMeta& meta) {
     comment.property("notes", meta.notes);
     if (meta.droppedRows > 0) {
         comment.property("dropped_rows", fmt::format("{}", meta.droppedRows));
+    }
+    if (!meta.rates.empty()) {
+        comment.beginTree("rates"); // from this time on, this distance of rows
+        for (const RateChange& rate : meta.rates) {
+            comment.property(fmt::format("{}", rate.time_s), fmt::format("{}", rate.period_s), "s");
+        }
+        comment.end();
     }
     if (!meta.tags.empty()) {
         comment.beginTree("tags");

@@ -319,6 +319,7 @@ Result<RecordedFile> parseMdf4(std::string_view octets, const std::string& origi
     layout.period_s = file.meta.period_s > 0.0 ? file.meta.period_s : period_s;
     file.recording.lostRows = countLostRows(file.recording.time_s, period_s);
     file.recording.layout = std::make_shared<const StreamLayout>(std::move(layout));
+    setRates(file.recording, file.meta.rates);
     return file;
 }
 

@@ -253,6 +253,7 @@ Result<void> writeMdf4File(const std::string& path, const Recording& recording, 
     if (!file.open(QIODevice::WriteOnly)) {
         return cannotWrite(path, file);
     }
+    meta.rates = recording.rates;
     Mdf4Writer writer(file, std::move(meta));
     bool isWritten = writer.begin(*recording.layout);
     const std::size_t columns = recording.layout->columns.size();

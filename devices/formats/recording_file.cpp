@@ -7,6 +7,7 @@
 #include "devices/recording/recording_csv.h"
 #include "devices/recording/recording_salvage.h"
 #include "devices/recording/recording_writer.h"
+#include "devices/recording/time_axis.h"
 
 #include <QtCore/QCryptographicHash>
 #include <QtCore/QFileInfo>
@@ -251,6 +252,7 @@ Result<RecordedFile> readRecordingFile(const std::string& path,
         }
         file.meta = *std::move(meta);
         file.hasMeta = true;
+        setRates(file.recording, file.meta.rates);
         if (sha256 != file.meta.sha256) {
             file.warnings.push_back(changeOf(path, file));
         }
@@ -288,6 +290,7 @@ Result<PartialRecording> readPartialRecording(const std::string& path) {
         return failure(salvaged.error());
     }
     partial.file.recording = std::move(salvaged->recording);
+    setRates(partial.file.recording, partial.file.meta.rates);
     partial.cutOctets = salvaged->cutOctets;
     partial.damagedOctets = salvaged->damagedOctets;
     partial.uncheckedRows = salvaged->uncheckedRows;

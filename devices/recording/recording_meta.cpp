@@ -101,6 +101,11 @@ void addOptional(const RecordingMeta& meta, QJsonObject& root) {
     if (meta.droppedRows > 0) {
         root.insert("dropped_rows", countOf(meta.droppedRows));
     }
+    if (!meta.rates.empty()) {
+        root.insert("rates", arrayOf(meta.rates, [](const RateChange& rate) {
+                        return QJsonObject{{"time_s", rate.time_s}, {"period_s", rate.period_s}};
+                    }));
+    }
     if (!meta.tags.empty()) {
         QJsonArray tags;
         for (const std::string& tag : meta.tags) {
@@ -118,6 +123,9 @@ void addOptional(const RecordingMeta& meta, QJsonObject& root) {
 
 void takeOptional(const QJsonObject& root, RecordingMeta& meta) {
     meta.droppedRows = countOf(root, "dropped_rows");
+    meta.rates = listOf(root, "rates", [](const QJsonObject& object) {
+        return RateChange{numberOf(object, "time_s"), numberOf(object, "period_s")};
+    });
     const QJsonArray tags = root.value(QLatin1String("tags")).toArray();
     for (const QJsonValue tag : tags) {
         meta.tags.push_back(tag.toString().toStdString());

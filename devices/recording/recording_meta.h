@@ -44,6 +44,7 @@ struct RecordingMeta {
     std::vector<ParameterChange> changes;
     std::vector<Marker> markers;
     std::vector<Gap> gaps;
+    std::vector<RateChange> rates; ///< where the distance of rows changes; empty: period_s throughout
     std::uint64_t rows = 0;
     std::uint64_t droppedRows = 0; ///< of the stream, because the disk did not keep up
     std::vector<std::string> tags; ///< the user's words, to find it again

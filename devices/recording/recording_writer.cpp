@@ -87,6 +87,7 @@ std::string nameAside(const std::string& path) {
 Result<void> writeAll(const std::string& path, const Recording& recording, RecordingMeta meta,
                       const std::string& suffix, CsvNumbers numbers) {
     HB_ASSERT(recording.layout != nullptr);
+    meta.rates = recording.rates;
     Result<std::unique_ptr<RecordingWriter>> writer =
         RecordingWriter::create(path, *recording.layout, std::move(meta), {suffix, {}, realDisk(), numbers});
     if (!writer) {
@@ -235,6 +236,7 @@ Result<void> RecordingWriter::keepEvents(const RecordingEvents& events) {
     meta.markers.insert(meta.markers.end(), events.markers.begin(), events.markers.end());
     meta.changes.insert(meta.changes.end(), events.changes.begin(), events.changes.end());
     meta.droppedRows = events.droppedRows;
+    meta.rates = events.rates;
     meta.rows = 0; // a recovery counts them and finds the gaps
     meta.gaps.clear();
     const std::string next = nextMetaPathOf(m_path);

@@ -40,6 +40,7 @@ struct RecordingEvents {
     std::vector<RecordingMeta::Marker> markers;
     std::vector<RecordingMeta::ParameterChange> changes;
     std::uint64_t droppedRows = 0;
+    std::vector<RateChange> rates = {};
 };
 
 /// Writes a recording as it comes, as `path.partial`; every block is with the system when append() returns,
@@ -63,6 +64,8 @@ public:
     Result<void> keepEvents(const RecordingEvents& events);
     /// Rows that never came here because the disk did not keep up.
     void setDroppedRows(std::uint64_t rows) { m_meta.droppedRows = rows; }
+    /// Where the distance of rows changed on the way; empty: nowhere.
+    void setRates(std::vector<RateChange> rates) { m_meta.rates = std::move(rates); }
     Result<void> finish();
     /// Ends without a name: the partial file stays when there are rows in it, else nothing is left. Says
     /// whether it stays.

@@ -1,4 +1,5 @@
 #include "app/session/recorder.h"
+#include "devices/formats/convert_recording.h"
 #include "devices/formats/recording_file.h"
 #include "tests/small_disk.h"
 
@@ -164,6 +165,33 @@ TEST_F(RecorderTest, aGapIsCountedAndMarkedInTheSidecar) {
     ASSERT_EQ(file->meta.gaps.size(), 1U);
     EXPECT_EQ(file->meta.gaps[0].lostRows, 5U);
     EXPECT_NEAR(file->meta.gaps[0].time_s, 0.10, 1e-9);
+}
+
+TEST_F(RecorderTest, aSlowerStreamIsToldInTheSidecarAndReadAsWhole) {
+    Recorder recorder(config(layoutOf({"a"}, 0.001)));
+    recorder.push(block(layoutOf({"a"}, 0.001), 3.0, 50));
+    recorder.push(block(layoutOf({"a"}, 0.01), 3.055, 30));
+    recorder.push(block(layoutOf({"a"}, 0.001), 3.35, 50));
+    recorder.finish();
+    ASSERT_TRUE(ended(recorder));
+    EXPECT_EQ(recorder.status().missingRows, 0U);
+    const auto file = devices::readRecordingFile(path());
+    ASSERT_TRUE(file);
+    EXPECT_EQ(file->recording.rows(), 130U);
+    EXPECT_EQ(file->recording.lostRows, 0U);
+    EXPECT_EQ(file->meta.rates.size(), 3U);
+    EXPECT_TRUE(file->meta.gaps.empty());
+    // What is made of it knows it too.
+    for (const char* name : {"copy.csv", "copy.mf4"}) {
+        devices::ConvertRequest request;
+        request.input = path();
+        request.output = folder.filePath(name).toStdString();
+        ASSERT_TRUE(devices::convertRecording(request)) << name;
+        const auto copy = devices::readRecordingFile(request.output);
+        ASSERT_TRUE(copy) << name;
+        EXPECT_EQ(copy->recording.lostRows, 0U) << name;
+        EXPECT_EQ(copy->recording.rates.size(), 3U) << name;
+    }
 }
 
 TEST_F(RecorderTest, whatDoesNotFitIntoTheQueueIsCountedNeverHidden) {
