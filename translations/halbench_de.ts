@@ -8555,6 +8555,18 @@
         <translation>dreht gegen seinen Strom</translation>
     </message>
     <message>
+        <source>current of {} A, above the limit of {} A of the recorded device</source>
+        <translation>Strom von {} A, über dem Grenzwert von {} A des aufgezeichneten Geräts</translation>
+    </message>
+    <message>
+        <source>check unit and scale of the current column, e.g. current_command_mA</source>
+        <translation>Einheit und Skalierung der Stromspalte prüfen, z. B. current_command_mA</translation>
+    </message>
+    <message>
+        <source>current of {} A, implausible for an actuator of this kind</source>
+        <translation>Strom von {} A, unplausibel für einen solchen Aktor</translation>
+    </message>
+    <message>
         <source>wrong sign of current or angle: {}</source>
         <translation>falsches Vorzeichen von Strom oder Winkel: {}</translation>
     </message>

@@ -8555,6 +8555,18 @@
         <translation>逆着电流转动</translation>
     </message>
     <message>
+        <source>current of {} A, above the limit of {} A of the recorded device</source>
+        <translation>电流 {} A，高于所记录设备的限值 {} A</translation>
+    </message>
+    <message>
+        <source>check unit and scale of the current column, e.g. current_command_mA</source>
+        <translation>请检查电流列的单位和比例，例如 current_command_mA</translation>
+    </message>
+    <message>
+        <source>current of {} A, implausible for an actuator of this kind</source>
+        <translation>电流 {} A，对此类执行器不合理</translation>
+    </message>
+    <message>
         <source>wrong sign of current or angle: {}</source>
         <translation>电流或角度的符号错误：{}</translation>
     </message>

@@ -73,6 +73,20 @@ Result<MeasuredTiming> recordedTiming(const devices::RecordingMeta& meta) {
     return timing;
 }
 
+/// The most that the board of a recording let flow, as far as its sidecar says it.
+std::optional<double> recordedLimit_A(const devices::RecordingMeta& meta) {
+    const auto isOfLimit = [](const auto& entry) { return entry.name == "limit.current"; };
+    const auto noted = std::find_if(meta.parameters.begin(), meta.parameters.end(), isOfLimit);
+    if (noted == meta.parameters.end() || noted->unit != "A" || !(noted->value > 0.0)) {
+        return std::nullopt;
+    }
+    double most_A = noted->value;
+    for (const devices::RecordingMeta::ParameterChange& change : meta.changes) {
+        most_A = isOfLimit(change) ? std::max(most_A, change.value) : most_A;
+    }
+    return most_A;
+}
+
 /// The device that the sidecar names; a recording without one has none.
 CommandResult identifyFile(CommandContext& context, const CommandOptions& options, const std::string& path) {
     Result<IdentifyConfig> config = identifyConfigFrom(options, actuatorOf({}));
@@ -89,6 +103,7 @@ CommandResult identifyFile(CommandContext& context, const CommandOptions& option
     if (file->hasMeta) {
         header.device = file->meta.device;
         header.started = file->meta.started;
+        config->recordedLimit_A = recordedLimit_A(file->meta);
     }
     config->seed = header.seed;
     const Result<MeasuredTiming> timing = file->hasMeta ? recordedTiming(file->meta) : MeasuredTiming{};

@@ -15,6 +15,7 @@ TABLES = {
     "control": ("control/",),
     "lines": ("devices/transport/", "devices/xcp/", "app/session/"),
     "devices": ("models/", "devices/"),
+    "tuning": ("app/procedures/apply/", "app/procedures/tune/"),
     "procedures": ("app/procedures/",),
     "actuators": ("app/actuators/",),
     "files": ("app/documents/text/config_node.cpp", "app/documents/frequency_file.cpp", "app/tuning/gains_judgement.cpp", "app/documents/configuration_", "app/documents/document_units.cpp", "app/documents/identification_file.cpp", "app/documents/import_documents.cpp", "app/documents/text/json_parser.cpp",

@@ -10,6 +10,7 @@ std::span<const char* const> phrasesOfControl();
 std::span<const char* const> phrasesOfLines();
 std::span<const char* const> phrasesOfDevices();
 std::span<const char* const> phrasesOfProcedures();
+std::span<const char* const> phrasesOfTuning();
 std::span<const char* const> phrasesOfActuators();
 std::span<const char* const> phrasesOfFiles();
 std::span<const char* const> phrasesOfBoards();

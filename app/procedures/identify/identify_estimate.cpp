@@ -326,6 +326,9 @@ Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConf
     }
     IdentifyFits fits;
     fits.lostRows = recording.lostRows;
+    for (const double current_A : columns->current_A) {
+        fits.largestCurrent_A = std::max(fits.largestCurrent_A, std::fabs(current_A));
+    }
     fits.slowest_rad_s = config.usableSpeed_rad_s;
     fits.isSpeedColumn = control::looksLikeSpeed(columns->angle_rad, *plateaus);
     if (auto unwrapped = control::unwrapAngle(columns->angle_rad); unwrapped.period_rad) {

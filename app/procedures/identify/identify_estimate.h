@@ -32,6 +32,7 @@ struct IdentifyFits {
     std::string motionProblem;         ///< why there is no motion fit
     std::string balanceProblem;
     std::string sweepProblem;
+    double largestCurrent_A = 0.0;
     double startTemperature_degC = 25.0;
     double highestTemperature_degC = 25.0;
     std::uint64_t lostRows = 0;

@@ -370,6 +370,7 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
                "use currents well above the breakaway current for several seconds each");
         return result;
     }
+    judgeCurrents(result, fits, config.recordedLimit_A);
     takeAsymmetry(result, fits);
     judgeFrictionLaw(result, fits);
     judgeTorqueLaw(result, fits);

@@ -205,6 +205,27 @@ bool judgeColumns(IdentifyResult& result, const IdentifyFits& fits) {
     return true;
 }
 
+void judgeCurrents(IdentifyResult& result, const IdentifyFits& fits,
+                   const std::optional<double>& recordedLimit_A) {
+    // The published motor bears 4 A; mA of its sweep in a column of amperes are 400 and more.
+    constexpr double Implausible_A = 100.0;
+    constexpr double Rounding_ratio = 1.01; // of a current that stands at its limit
+    const char* const hint = "check unit and scale of the current column, e.g. current_command_mA";
+    if (recordedLimit_A && fits.largestCurrent_A > Rounding_ratio * *recordedLimit_A) {
+        remark(result, Verdict::Doubtful,
+               {"current_above_limit",
+                fmt::format("current of {:.4g} A, above the limit of {:.4g} A of the recorded device",
+                            fits.largestCurrent_A, *recordedLimit_A),
+                hint});
+    } else if (fits.largestCurrent_A > Implausible_A) {
+        remark(result, Verdict::Doubtful,
+               {"current_implausible",
+                fmt::format("current of {:.4g} A, implausible for an actuator of this kind",
+                            fits.largestCurrent_A),
+                hint});
+    }
+}
+
 void judgePhysics(IdentifyResult& result, const IdentifyFits& fits) {
     if (result.quality.verdict == Verdict::Refused || !judgePositive(result)) {
         return;

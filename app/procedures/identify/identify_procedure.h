@@ -45,6 +45,8 @@ struct IdentifyConfig {
     double commutationLag_s = 0.8e-3;
     double pauseTemperature_degC = 65; ///< waits above it
     double refuseTemperature_degC = 70;
+    /// That the board of a recording can have commanded, where it is known.
+    std::optional<double> recordedLimit_A;
 };
 
 /// Sets one given constant by its symbol J, c, Kf or phi (SI). Errors: UnknownName, NotFinite, OutOfRange

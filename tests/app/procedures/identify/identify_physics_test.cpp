@@ -97,6 +97,29 @@ TEST(IdentifyPhysics, aSoundRecordHasNoSuchFinding) {
     }
 }
 
+// A column in mA that is called A; any factor that is too large for the board that recorded it.
+TEST(IdentifyPhysics, doubtsCurrentsThatCannotHaveFlowed) {
+    const auto times = [](double factor) {
+        return [factor](const control::RecordMaker& record, std::size_t row) {
+            return factor * record.current_column_A[row];
+        };
+    };
+    const auto record = goodRecord(); // up to 3.5 A
+    const IdentifyResult milli = identify(record, angleOf, times(1000.0));
+    EXPECT_EQ(milli.quality.verdict, Verdict::Doubtful) << messagesOf(milli);
+    EXPECT_NE(findingOf(milli, "current_implausible"), nullptr) << messagesOf(milli);
+    IdentifyConfig known = withInertia();
+    known.recordedLimit_A = 4.0;
+    for (const double factor : {-10.0, 1.5, 10.0, 1000.0}) {
+        const IdentifyResult result = identify(record, angleOf, times(factor), known);
+        EXPECT_GE(result.quality.verdict, Verdict::Doubtful) << factor;
+        EXPECT_EQ(findingOf(result, "current_above_limit") != nullptr, factor > 0.0) << factor;
+    }
+    known.recordedLimit_A = 3.5;
+    EXPECT_EQ(findingOf(identify(record, angleOf, currentOf, known), "current_above_limit"), nullptr);
+    EXPECT_EQ(findingOf(identify(record, angleOf, currentOf), "current_implausible"), nullptr);
+}
+
 TEST(IdentifyPhysics, refusesAReversedSignOfCurrentOrAngle) {
     const Change backwards = [](const auto& record, std::size_t row) { return -record.angle_rad[row]; };
     const Change reversed = [](const auto& record, std::size_t row) { return -record.current_column_A[row]; };
