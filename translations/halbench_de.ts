@@ -95,6 +95,10 @@
         <source>Estimators</source>
         <translation>Schätzer</translation>
     </message>
+    <message>
+        <source>Coverage</source>
+        <translation>Abdeckung</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -20022,6 +20026,136 @@ Hall B
     <message>
         <source>not usable</source>
         <translation>nicht verwendbar</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::CoveragePanel</name>
+    <message>
+        <source>Sensors of the map</source>
+        <translation>Sensoren der Karte</translation>
+    </message>
+    <message>
+        <source>Click or arrow keys read a pose; Home goes to the middle</source>
+        <translation>Klick oder Pfeiltasten lesen eine Lage ab; Pos1: Mitte</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Quantity that the colours show</source>
+        <translation>Größe, die die Farben zeigen</translation>
+    </message>
+    <message>
+        <source>Least reading</source>
+        <translation>Kleinster Messwert</translation>
+    </message>
+    <message>
+        <source>Predicted angle error</source>
+        <translation>Vorhergesagter Winkelfehler</translation>
+    </message>
+    <message>
+        <source>Readings from</source>
+        <translation>Messwerte aus</translation>
+    </message>
+    <message>
+        <source>Model that makes the readings of the sensors</source>
+        <translation>Modell, das die Messwerte der Sensoren liefert</translation>
+    </message>
+    <message>
+        <source>Physical field</source>
+        <translation>Physikalisches Feld</translation>
+    </message>
+    <message>
+        <source>Additive model</source>
+        <translation>Additives Modell</translation>
+    </message>
+    <message>
+        <source>Held angle</source>
+        <translation>Fester Winkel</translation>
+    </message>
+    <message>
+        <source>Angle of the slider; the map is over the other two</source>
+        <translation>Winkel des Reglers; die Karte zeigt die anderen zwei</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>Least reading of R, Θ and Φ in a covered pose</source>
+        <translation>Kleinster Wert von R, Θ, Φ in einer abgedeckten Lage</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Noise of each reading, rms, for the predicted error</source>
+        <translation>Rauschen je Messwert, effektiv, für die Vorhersage</translation>
+    </message>
+    <message>
+        <source>Angle at which the map is cut</source>
+        <translation>Winkel, bei dem die Karte geschnitten ist</translation>
+    </message>
+    <message>
+        <source>Pose read from the map</source>
+        <translation>Abgelesene Lage</translation>
+    </message>
+    <message>
+        <source>Coverage of all poses</source>
+        <translation>Abdeckung aller Lagen</translation>
+    </message>
+    <message>
+        <source>Go to &amp;counterexample</source>
+        <translation>Zum &amp;Gegenbeispiel</translation>
+    </message>
+    <message>
+        <source>Show the slice of the uncovered pose (Alt+C)</source>
+        <translation>Den Schnitt der nicht abgedeckten Lage zeigen (Alt+G)</translation>
+    </message>
+    <message>
+        <source>Save &amp;picture…</source>
+        <translation>Bild s&amp;peichern…</translation>
+    </message>
+    <message>
+        <source>Save as SVG, PDF or PNG (Alt+P)</source>
+        <translation>Als SVG, PDF oder PNG speichern (Alt+P)</translation>
+    </message>
+    <message>
+        <source>Shows where field sensors about a rotor read enough. Connect a device with such sensors, or play a recording of one.</source>
+        <translation>Zeigt, wo Feldsensoren um einen Rotor genug messen. Ein Gerät mit solchen Sensoren verbinden oder eine Aufzeichnung davon abspielen.</translation>
+    </message>
+    <message>
+        <source>Slider for %1</source>
+        <translation>Regler für %1</translation>
+    </message>
+    <message>
+        <source>Arrow keys: half a degree; Page Up and Down: five</source>
+        <translation>Pfeiltasten: ein halbes Grad; Bild auf/ab: fünf</translation>
+    </message>
+    <message>
+        <source>%1 of %2 poses of this slice are not covered.</source>
+        <translation>%1 von %2 Lagen dieses Schnitts sind nicht abgedeckt.</translation>
+    </message>
+    <message>
+        <source>Proven: all poses of the workspace are covered.</source>
+        <translation>Bewiesen: alle Lagen des Arbeitsbereichs sind abgedeckt.</translation>
+    </message>
+    <message>
+        <source>Not covered: (%1, %2, %3)°, where %4 is at most %5 mT.</source>
+        <translation>Nicht abgedeckt: (%1, %2, %3)°, dort ist %4 höchstens %5 mT.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::CoverageView</name>
+    <message>
+        <source>%1, not covered</source>
+        <translation>%1, nicht abgedeckt</translation>
+    </message>
+    <message>
+        <source>Map of the coverage over two angles</source>
+        <translation>Karte der Abdeckung über zwei Winkel</translation>
     </message>
 </context>
 </TS>

@@ -95,6 +95,10 @@
         <source>Estimators</source>
         <translation>估计器</translation>
     </message>
+    <message>
+        <source>Coverage</source>
+        <translation>覆盖</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -20007,6 +20011,136 @@ Hall B
     <message>
         <source>not usable</source>
         <translation>不可用</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::CoveragePanel</name>
+    <message>
+        <source>Sensors of the map</source>
+        <translation>用于覆盖图的传感器</translation>
+    </message>
+    <message>
+        <source>Click or arrow keys read a pose; Home goes to the middle</source>
+        <translation>单击或方向键读取位姿；Home 键回到中间</translation>
+    </message>
+    <message>
+        <source>Colours</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Quantity that the colours show</source>
+        <translation>颜色所表示的量</translation>
+    </message>
+    <message>
+        <source>Least reading</source>
+        <translation>最小读数</translation>
+    </message>
+    <message>
+        <source>Predicted angle error</source>
+        <translation>预测角度误差</translation>
+    </message>
+    <message>
+        <source>Readings from</source>
+        <translation>读数来源</translation>
+    </message>
+    <message>
+        <source>Model that makes the readings of the sensors</source>
+        <translation>产生传感器读数的模型</translation>
+    </message>
+    <message>
+        <source>Physical field</source>
+        <translation>物理磁场</translation>
+    </message>
+    <message>
+        <source>Additive model</source>
+        <translation>叠加模型</translation>
+    </message>
+    <message>
+        <source>Held angle</source>
+        <translation>固定角</translation>
+    </message>
+    <message>
+        <source>Angle of the slider; the map is over the other two</source>
+        <translation>滑块所调的角；图为另外两个角</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <translation>阈值</translation>
+    </message>
+    <message>
+        <source>Least reading of R, Θ and Φ in a covered pose</source>
+        <translation>已覆盖位姿中 R、Θ、Φ 的最小读数</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>Noise of each reading, rms, for the predicted error</source>
+        <translation>每个读数的噪声（有效值），用于预测误差</translation>
+    </message>
+    <message>
+        <source>Angle at which the map is cut</source>
+        <translation>图的截取角度</translation>
+    </message>
+    <message>
+        <source>Pose read from the map</source>
+        <translation>从图读取的位姿</translation>
+    </message>
+    <message>
+        <source>Coverage of all poses</source>
+        <translation>全部位姿的覆盖</translation>
+    </message>
+    <message>
+        <source>Go to &amp;counterexample</source>
+        <translation>转到反例(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Show the slice of the uncovered pose (Alt+C)</source>
+        <translation>显示未覆盖位姿所在的截面 (Alt+C)</translation>
+    </message>
+    <message>
+        <source>Save &amp;picture…</source>
+        <translation>保存图片(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>Save as SVG, PDF or PNG (Alt+P)</source>
+        <translation>保存为 SVG、PDF 或 PNG (Alt+P)</translation>
+    </message>
+    <message>
+        <source>Shows where field sensors about a rotor read enough. Connect a device with such sensors, or play a recording of one.</source>
+        <translation>显示转子周围的磁场传感器在哪些位姿下读数足够。请连接带有此类传感器的设备，或播放其记录。</translation>
+    </message>
+    <message>
+        <source>Slider for %1</source>
+        <translation>%1 的滑块</translation>
+    </message>
+    <message>
+        <source>Arrow keys: half a degree; Page Up and Down: five</source>
+        <translation>方向键：0.5 度；Page Up/Down：5 度</translation>
+    </message>
+    <message>
+        <source>%1 of %2 poses of this slice are not covered.</source>
+        <translation>此截面的 %2 个位姿中有 %1 个未覆盖。</translation>
+    </message>
+    <message>
+        <source>Proven: all poses of the workspace are covered.</source>
+        <translation>已证明：工作空间的全部位姿均已覆盖。</translation>
+    </message>
+    <message>
+        <source>Not covered: (%1, %2, %3)°, where %4 is at most %5 mT.</source>
+        <translation>未覆盖：(%1, %2, %3)°，该处 %4 最多 %5 mT。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::CoverageView</name>
+    <message>
+        <source>%1, not covered</source>
+        <translation>%1，未覆盖</translation>
+    </message>
+    <message>
+        <source>Map of the coverage over two angles</source>
+        <translation>两个角上的覆盖图</translation>
     </message>
 </context>
 </TS>

@@ -7,6 +7,7 @@
 #include "app/wizards/frequency_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/wizards/relay_panel.h"
+#include "app/workspaces/actuators/registry/actuator_panels.h"
 #include "app/workspaces/analysis/spectrum_panel.h"
 #include "app/workspaces/analysis/xy_panel.h"
 #include "app/workspaces/device/configuration_panel.h"
@@ -106,6 +107,11 @@ void connectPanelConnections(DockLayout& docks, Workbench& bench) {
     tune->setFileChooser(fileDialogs(bench));
     configuration->setFileChooser(fileDialogs(bench));
     panelOf<FieldPanel>(docks, "field")->setFileChooser(fileDialogs(bench));
+    for (const ActuatorPanel& panel : actuatorPanels()) {
+        if (panel.setFileChooser) {
+            panel.setFileChooser(*docks.panel(QString::fromStdString(panel.id)), fileDialogs(bench));
+        }
+    }
     panelOf<MonitorPanel>(docks, "monitor")->setFileChooser(fileDialogs(bench));
     for (const char* id : FurtherMonitors) {
         panelOf<MonitorPanel>(docks, id)->setFileChooser(fileDialogs(bench));

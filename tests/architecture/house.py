@@ -61,7 +61,7 @@ MAY_INCLUDE = {
     "app/workspaces": "control/base, analysis, law, design, signals, history; devices; devices/recording, acquisition, formats, open; "
                       "widgets/theme, language, raster, controls, log, parameters, figure, live_plot, spectrogram, actuators; "
                       "app/procedures, documents, recordings, tuning, figures, workbench",
-    "app/workspaces/actuators": "control/base; models/spherical; devices; widgets/theme, language, controls; "
+    "app/workspaces/actuators": "control/base; models/spherical; devices; widgets/theme, language, controls, figure, actuators; "
                                 "app/actuators, analyses, workbench, workspaces",
     "app/wizards": "control/base; devices; widgets/theme, language, controls, figure, actuators; "
                    "app/procedures, actuators, documents, tuning, figures, workbench, workspaces",

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/workbench/drive_ability.h"
+#include "app/workbench/file_chooser.h"
 #include "app/workbench/workbench.h"
 
 #include <QWidget>
@@ -20,6 +21,7 @@ struct ActuatorPanel {
     const char* helpAddress;             ///< page and section of resources/help
     std::vector<std::string> parameters; ///< roles of the parameters that it needs
     std::function<QWidget*(Workbench&)> make;
+    std::function<void(QWidget&, FileChooser)> setFileChooser = {}; ///< of its own panel, when it has files
 };
 
 /// Whether a device has all parameters that the panel needs.

@@ -123,9 +123,11 @@ TEST_F(PanelOfferTest, anOrientationInSpaceHasItsPerspectiveAndNothingToDrive) {
     EXPECT_EQ(window->docks().perspective(), Perspective::Field);
     EXPECT_TRUE(isOpen("field"));
     EXPECT_TRUE(isOpen("estimators"));
+    EXPECT_TRUE(isOpen("coverage"));
     disconnect();
     connectTo("sim:htm");
     EXPECT_FALSE(window->docks().isOffered("estimators"));
+    EXPECT_FALSE(window->docks().isOffered("coverage"));
 }
 
 TEST_F(PanelOfferTest, theNextDeviceFindsThePanelsAsTheyWereLeft) {

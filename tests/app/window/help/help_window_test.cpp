@@ -63,6 +63,7 @@ constexpr PanelPlace Places[] = {{"devices", "monitor.md", "Devices"},
                                  {"monitor2", "monitor.md", "Further monitors"},
                                  {"monitor3", "monitor.md", "Further monitors"},
                                  {"notes", "projects.md", ""},
+                                 {"coverage", "monitor.md", "Coverage"},
                                  {"estimators", "monitor.md", "Estimators"}};
 
 TEST_F(HelpWindowTest, everyPanelsHelpIsTheSameSectionInEveryLanguage) {

@@ -1,0 +1,377 @@
+#include "app/workspaces/actuators/spherical/coverage_panel.h"
+
+#include "app/workspaces/actuators/spherical/board_sensors.h"
+#include "app/workspaces/parts/field_grid.h"
+#include "control/base/units.h"
+#include "widgets/actuators/spherical/coverage_view.h"
+#include "widgets/controls/quantity_edit.h"
+#include "widgets/figure/painting.h"
+#include "widgets/language/display_units.h"
+#include "widgets/language/phrasebook.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPicture>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int GridColumns = 3;
+constexpr double Places_per_deg = 100.0; ///< of the slider
+constexpr int SingleStep = 50;           ///< half a degree
+constexpr int PageStep = 500;
+constexpr int NoteLines = 2;
+constexpr QSize PictureSize_px(900, 700);
+constexpr std::array AngleNames = {"α", "β", "γ"};
+constexpr std::array Components = {"R", "Θ", "Φ"};
+
+QString angleName(std::size_t angle) {
+    return QString::fromUtf8(AngleNames[angle]);
+}
+
+std::array<double, 3> anglesOf(const models::OrientationAngles& angles) {
+    return {radiansToDegrees(angles.alpha_rad), radiansToDegrees(angles.beta_rad),
+            radiansToDegrees(angles.gamma_rad)};
+}
+
+/// Rounded to a hundredth; no −0.
+double hundredths(double angle_deg) {
+    return std::round(angle_deg * 100.0) / 100.0 + 0.0;
+}
+
+widgets::SliceAxis axisOf(std::size_t angle, const models::AngleRange& range) {
+    return {angleName(angle), radiansToDegrees(range.first_rad), radiansToDegrees(range.step_rad),
+            range.count};
+}
+
+/// The angles down and across the map; gamma, where it is not held, across.
+std::pair<std::size_t, std::size_t> freeAngles(HeldAngle held) {
+    return {held == HeldAngle::Alpha ? 1U : 0U, held == HeldAngle::Gamma ? 1U : 2U};
+}
+
+} // namespace
+
+CoveragePanel::CoveragePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
+    QVBoxLayout* column = makePanelColumn(this);
+    m_words = makeNote(this);
+    m_words->setAccessibleName(tr("Sensors of the map"));
+    column->addWidget(m_words);
+    buildFields(*column);
+    buildHeld(*column);
+    m_view = new widgets::CoverageView(this);
+    m_view->setToolTip(tr("Click or arrow keys read a pose; Home goes to the middle"));
+    column->addWidget(m_view, 1);
+    buildEnd(*column);
+    connect(m_view, &widgets::CoverageView::cursorMoved, this,
+            [this] { m_cursor->setText(m_view->cursorText()); });
+    connect(&m_bench, &Workbench::deviceChanged, this, &CoveragePanel::onDevice);
+    connect(&m_bench, &Workbench::valuesChanged, this, &CoveragePanel::onDevice);
+    onHeldAngle();
+    onDevice();
+}
+
+CoveragePanel::~CoveragePanel() {
+    if (m_isStopped != nullptr) {
+        *m_isStopped = true;
+    }
+}
+
+void CoveragePanel::buildFields(QBoxLayout& column) {
+    auto* grid = new FieldGrid(GridColumns, this);
+    m_quantity = grid->addBox(tr("Colours"), tr("Quantity that the colours show"),
+                              {tr("Least reading"), tr("Predicted angle error")});
+    m_device = grid->addBox(tr("Readings from"), tr("Model that makes the readings of the sensors"),
+                            {tr("Physical field"), tr("Additive model")});
+    m_heldAngle = grid->addBox(tr("Held angle"), tr("Angle of the slider; the map is over the other two"));
+    m_heldAngle->setObjectName(QStringLiteral("held_choice"));
+    for (std::size_t angle = 0; angle < AngleNames.size(); ++angle) {
+        m_heldAngle->addItem(angleName(angle));
+    }
+    m_heldAngle->setCurrentIndex(static_cast<int>(HeldAngle::Gamma));
+    m_threshold = grid->addNumber({tr("Threshold"), tr("Least reading of R, Θ and Φ in a covered pose"),
+                                   QStringLiteral("mT"), 2, 0.0, 1000.0, 1.0});
+    m_threshold->setQuantity(10.0);
+    m_noise = grid->addNumber({tr("Noise"), tr("Noise of each reading, rms, for the predicted error"),
+                               QStringLiteral("µT"), 1, 0.1, 1e5, 10.0});
+    m_noise->setQuantity(100.0);
+    column.addWidget(grid);
+    const auto changed = qOverload<int>(&QComboBox::currentIndexChanged);
+    connect(m_quantity, changed, this, &CoveragePanel::askSlice);
+    connect(m_device, changed, this, &CoveragePanel::onDevice);
+    connect(m_heldAngle, changed, this, [this] {
+        onHeldAngle();
+        askSlice();
+    });
+    connect(m_threshold, &widgets::QuantityEdit::edited, this, &CoveragePanel::onDevice);
+    connect(m_noise, &widgets::QuantityEdit::edited, this, &CoveragePanel::askSlice);
+}
+
+void CoveragePanel::buildHeld(QBoxLayout& column) {
+    m_heldName = new QLabel(this);
+    m_slider = new QSlider(Qt::Horizontal, this);
+    m_slider->setSingleStep(SingleStep);
+    m_slider->setPageStep(PageStep);
+    m_held = makeNumberField(
+        {tr("Held angle"), tr("Angle at which the map is cut"), QStringLiteral("°"), 2, -90.0, 90.0, 0.5},
+        this);
+    m_held->setObjectName(QStringLiteral("held_angle"));
+    m_heldName->setBuddy(m_slider);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_heldName);
+    row->addWidget(m_slider, 1);
+    row->addWidget(m_held);
+    column.addLayout(row);
+    connect(m_slider, &QSlider::valueChanged, this, [this](int place) { hold(place / Places_per_deg); });
+    connect(m_held, &widgets::QuantityEdit::edited, this, &CoveragePanel::hold);
+}
+
+void CoveragePanel::buildEnd(QBoxLayout& column) {
+    m_cursor = makeNote(this);
+    m_cursor->setAccessibleName(tr("Pose read from the map"));
+    reserveLines(*m_cursor, 1);
+    column.addWidget(m_cursor);
+    m_verdict = makeNote(this);
+    m_verdict->setAccessibleName(tr("Coverage of all poses"));
+    reserveLines(*m_verdict, NoteLines);
+    column.addWidget(m_verdict);
+    m_go = makeButton({tr("Go to &counterexample"), tr("Show the slice of the uncovered pose (Alt+C)"), {}},
+                      this);
+    m_save = makeButton({tr("Save &picture…"), tr("Save as SVG, PDF or PNG (Alt+P)"), {}}, this);
+    connect(m_go, &QPushButton::clicked, this, &CoveragePanel::goToCounterexample);
+    connect(m_save, &QPushButton::clicked, this, &CoveragePanel::savePicture);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_go);
+    row->addWidget(m_save);
+    row->addStretch();
+    column.addLayout(row);
+}
+
+bool CoveragePanel::hasDevice() const {
+    const DeviceSession& session = m_bench.session();
+    return session.state() == SessionState::Connected && !m_bench.deviceValues().empty() &&
+           isMadeFor(coverageActuatorPanel(), session.catalogue());
+}
+
+HeldAngle CoveragePanel::held() const {
+    return static_cast<HeldAngle>(m_heldAngle->currentIndex());
+}
+
+models::CoverageModel CoveragePanel::model() const {
+    const SensingBoard board = boardSensors(m_bench);
+    if (m_device->currentIndex() == static_cast<int>(models::SphericalDevice::Additive)) {
+        return models::CoverageModel(
+            models::AdditiveModel{board.calibration.field.strength_T, board.placement});
+    }
+    models::SphericalSensing sensing = sensingOf(board);
+    sensing.field.harmonics.clear(); // the rule is about the main field
+    return models::CoverageModel(sensing.field, sensing.poses);
+}
+
+CoverageSliceConfig CoveragePanel::config() const {
+    CoverageSliceConfig config;
+    config.quantity = m_quantity->currentIndex() == 0 ? models::CoverageQuantity::LeastComponent_T
+                                                      : models::CoverageQuantity::PredictedDeviation_rad;
+    config.threshold_T = m_threshold->value() / 1e3;
+    config.noise_T = m_noise->value() / 1e6;
+    config.held = held();
+    config.held_rad = degreesToRadians(m_held->value());
+    return config;
+}
+
+void CoveragePanel::onDevice() {
+    m_words->setText(hasDevice()
+                         ? sensorsInWords(boardSensors(m_bench))
+                         : tr("Shows where field sensors about a rotor read enough. Connect a device with "
+                              "such sensors, or play a recording of one."));
+    askSlice();
+    askJudgement();
+}
+
+void CoveragePanel::onHeldAngle() {
+    const double limit_deg = held() == HeldAngle::Gamma ? 90.0 : 45.0;
+    const QString name = angleName(static_cast<std::size_t>(held()));
+    const QSignalBlocker quiet(m_slider);
+    m_heldName->setText(name);
+    m_slider->setAccessibleName(tr("Slider for %1").arg(name));
+    m_slider->setToolTip(tr("Arrow keys: half a degree; Page Up and Down: five"));
+    m_slider->setRange(static_cast<int>(-limit_deg * Places_per_deg),
+                       static_cast<int>(limit_deg * Places_per_deg));
+    m_held->setFormat({QStringLiteral("°"), -limit_deg, limit_deg, 0.5, 2});
+    m_slider->setValue(static_cast<int>(std::lround(m_held->value() * Places_per_deg)));
+}
+
+void CoveragePanel::hold(double angle_deg) {
+    const QSignalBlocker quiet(m_slider);
+    m_slider->setValue(static_cast<int>(std::lround(angle_deg * Places_per_deg)));
+    m_held->setQuantity(angle_deg);
+    askSlice();
+}
+
+void CoveragePanel::askSlice() {
+    const bool isThere = hasDevice();
+    m_save->setEnabled(isThere);
+    if (!isThere) {
+        m_slicing.cancel();
+        m_view->setSlice({});
+        return;
+    }
+    m_slicing.run(
+        [model = model(), config = config()] { return coverageSlice(model, config); },
+        [this, config = config()](const Result<SliceOfCoverage>& slice) { takeSlice(config, slice); });
+}
+
+void CoveragePanel::takeSlice(const CoverageSliceConfig& config, const Result<SliceOfCoverage>& slice) {
+    if (!slice) {
+        m_problem = widgets::inWords(slice.error().message);
+        showWords();
+        return;
+    }
+    m_problem.clear();
+    const bool isReading = config.quantity == models::CoverageQuantity::LeastComponent_T;
+    const auto [down, across] = freeAngles(config.held);
+    const std::array ranges = {slice->grid.alpha, slice->grid.beta, slice->grid.gamma};
+    widgets::CoverageSlice shown;
+    shown.x = axisOf(across, ranges[across]);
+    shown.y = axisOf(down, ranges[down]);
+    shown.quantity = m_quantity->itemText(isReading ? 0 : 1);
+    shown.unit = isReading ? QStringLiteral("mT") : QStringLiteral("°");
+    shown.decimals = isReading ? 2 : 4;
+    for (std::size_t i = 0; i < slice->value.size(); ++i) {
+        const double value = static_cast<double>(slice->value[i]);
+        shown.values.push_back(isReading ? 1e3 * value : radiansToDegrees(value));
+        shown.isUncovered.push_back(!(static_cast<double>(slice->least_T[i]) > config.threshold_T));
+    }
+    const auto [low, high] = std::minmax_element(shown.values.begin(), shown.values.end());
+    shown.low = isReading ? 0.0 : *low;
+    shown.high = *high > shown.low ? *high : shown.low + 1.0;
+    m_uncovered = slice->uncovered;
+    m_poses = slice->value.size();
+    m_view->setSlice(std::move(shown));
+    markCounterexample();
+    m_cursor->setText(m_view->cursorText());
+    showWords();
+}
+
+/// A proof that is no longer asked for ends early.
+void CoveragePanel::askJudgement() {
+    if (m_isStopped != nullptr) {
+        *m_isStopped = true;
+    }
+    m_isStopped = std::make_shared<std::atomic<bool>>(false);
+    m_judgement.reset();
+    showWords();
+    if (!hasDevice()) {
+        m_judging.cancel();
+        return;
+    }
+    m_judging.run(
+        [model = model(), threshold_T = m_threshold->value() / 1e3, isStopped = m_isStopped] {
+            return judgeCoverage(model, threshold_T, {[isStopped] { return isStopped->load(); }, {}});
+        },
+        [this](const Result<CoverageJudgement>& judgement) { takeJudgement(judgement); });
+}
+
+void CoveragePanel::takeJudgement(const Result<CoverageJudgement>& judgement) {
+    if (judgement) {
+        m_judgement = *judgement;
+    } else {
+        m_problem = widgets::inWords(judgement.error().message);
+    }
+    markCounterexample();
+    showWords();
+}
+
+/// In the slice that holds its angle, to the hundredth that the field shows.
+void CoveragePanel::markCounterexample() {
+    widgets::CoverageSlice slice = m_view->slice();
+    slice.marked.reset();
+    const auto [down, across] = freeAngles(held());
+    for (const Counterexample& one :
+         m_judgement ? m_judgement->counterexamples : std::vector<Counterexample>()) {
+        const std::array<double, 3> at_deg = anglesOf(one.at);
+        if (!slice.marked &&
+            hundredths(at_deg[static_cast<std::size_t>(held())]) == hundredths(m_held->value())) {
+            slice.marked = QPointF(at_deg[across], at_deg[down]);
+        }
+    }
+    m_view->setSlice(std::move(slice));
+}
+
+void CoveragePanel::goToCounterexample() {
+    if (m_judgement && !m_judgement->counterexamples.empty()) {
+        const std::array<double, 3> at_deg = anglesOf(m_judgement->counterexamples.front().at);
+        hold(hundredths(at_deg[static_cast<std::size_t>(held())]));
+    }
+}
+
+void CoveragePanel::showWords() {
+    QStringList words;
+    if (m_poses > 0 && hasDevice()) {
+        words << tr("%1 of %2 poses of this slice are not covered.")
+                     .arg(widgets::countText(m_uncovered), widgets::countText(m_poses));
+    }
+    m_go->setEnabled(m_judgement && !m_judgement->counterexamples.empty());
+    if (!m_problem.isEmpty()) {
+        words << m_problem;
+    } else if (m_judgement && m_judgement->isProven) {
+        words << tr("Proven: all poses of the workspace are covered.");
+    }
+    for (const Counterexample& one :
+         m_judgement ? m_judgement->counterexamples : std::vector<Counterexample>()) {
+        const std::array<double, 3> at_deg = anglesOf(one.at);
+        const auto number = [&](std::size_t angle) {
+            return widgets::numberText(hundredths(at_deg[angle]), 4);
+        };
+        words << tr("Not covered: (%1, %2, %3)°, where %4 is at most %5 mT.")
+                     .arg(number(0), number(1), number(2),
+                          QString::fromUtf8(Components[static_cast<std::size_t>(one.component)]),
+                          widgets::fixedText(1e3 * one.largest_T, 3));
+    }
+    m_verdict->setText(words.join(QLatin1Char(' ')));
+}
+
+/// As it is now, not after the dialog: its lines are kept and drawn again.
+void CoveragePanel::savePicture() {
+    QPicture lines;
+    QPainter recorder(&lines);
+    m_view->draw(recorder, widgets::paperTheme(), PictureSize_px);
+    recorder.end();
+    const auto taken = [lines](const QString& path) {
+        widgets::Painting painting;
+        painting.title = "coverage";
+        painting.size = PictureSize_px;
+        painting.paint = [lines](QPainter& painter, const widgets::Theme&) {
+            QPicture(lines).play(&painter);
+        };
+        const auto format = widgets::pictureFormat(path).value_or(widgets::PictureFormat::Svg);
+        return widgets::pictureWriting(widgets::fileOf(painting, widgets::paperTheme(), format), path);
+    };
+    app::savePicture(
+        this, m_chooser, QStringLiteral("coverage.svg"), m_files, taken, [this](const Error& error) {
+            m_problem = widgets::inWords(error.message) + QStringLiteral(": ") + widgets::inWords(error.hint);
+            showWords();
+        });
+}
+
+ActuatorPanel coverageActuatorPanel() {
+    return {"coverage",
+            QT_TRANSLATE_NOOP("Panels", "Coverage"),
+            "monitor.md#coverage",
+            boardSensorRoles(),
+            [](Workbench& bench) -> QWidget* { return new CoveragePanel(bench); },
+            [](QWidget& panel, FileChooser chooser) {
+                static_cast<CoveragePanel&>(panel).setFileChooser(std::move(chooser));
+            }};
+}
+
+} // namespace halbench::app
