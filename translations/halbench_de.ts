@@ -9785,10 +9785,6 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
         <translation>Gewähltes Gerät verbinden (Strg+Umschalt+C; Liste: Alt+Ab)</translation>
     </message>
     <message>
-        <source>Close the recording and connect %1 again (Ctrl+Shift+C)</source>
-        <translation>Aufzeichnung schließen und %1 wieder verbinden (Strg+Umschalt+C)</translation>
-    </message>
-    <message>
         <source>Close the recording (Ctrl+Shift+C)</source>
         <translation>Aufzeichnung schließen (Strg+Umschalt+C)</translation>
     </message>
@@ -9807,6 +9803,10 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
     <message>
         <source>Disconnect</source>
         <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Close the recording, back to %1 (Ctrl+Shift+C)</source>
+        <translation>Aufzeichnung schließen, zurück zu %1 (Strg+Umschalt+C)</translation>
     </message>
 </context>
 <context>
@@ -10173,6 +10173,14 @@ Firmware %2</translation>
         <source>Description file…</source>
         <translation>Beschreibungsdatei …</translation>
     </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Close the recording, back to %1 (Alt+B)</source>
+        <translation>Aufzeichnung schließen, zurück zu %1 (Alt+Z)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -10226,6 +10234,10 @@ Firmware %2</translation>
     <message>
         <source>stop</source>
         <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>back to %1</source>
+        <translation>zurück zu %1</translation>
     </message>
 </context>
 <context>

@@ -9781,10 +9781,6 @@ Nothing is armed, and nothing is changed until you apply it.</source>
         <translation>连接所选设备（Ctrl+Shift+C；列表：Alt+Down）</translation>
     </message>
     <message>
-        <source>Close the recording and connect %1 again (Ctrl+Shift+C)</source>
-        <translation>关闭记录并重新连接 %1（Ctrl+Shift+C）</translation>
-    </message>
-    <message>
         <source>Close the recording (Ctrl+Shift+C)</source>
         <translation>关闭记录（Ctrl+Shift+C）</translation>
     </message>
@@ -9803,6 +9799,10 @@ Nothing is armed, and nothing is changed until you apply it.</source>
     <message>
         <source>Disconnect</source>
         <translation>断开</translation>
+    </message>
+    <message>
+        <source>Close the recording, back to %1 (Ctrl+Shift+C)</source>
+        <translation>关闭记录，返回 %1（Ctrl+Shift+C）</translation>
     </message>
 </context>
 <context>
@@ -10169,6 +10169,14 @@ Firmware %2</source>
         <source>Description file…</source>
         <translation>描述文件…</translation>
     </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>返回(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Close the recording, back to %1 (Alt+B)</source>
+        <translation>关闭记录，返回 %1（Alt+B）</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -10221,6 +10229,10 @@ Firmware %2</source>
     <message>
         <source>stop</source>
         <translation>停止</translation>
+    </message>
+    <message>
+        <source>back to %1</source>
+        <translation>返回 %1</translation>
     </message>
 </context>
 <context>

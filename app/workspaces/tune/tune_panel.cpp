@@ -136,13 +136,12 @@ void TunePanel::connectParts() {
             });
 }
 
-/// What was applied, measured and said is of one device: of the one that is connected, or looked for.
+/// What was applied, measured and said is of one device: of the one that is connected, looked for, or held
+/// while a recording is open.
 void TunePanel::onDevice() {
     const DeviceSession& session = m_bench.session();
-    const bool isSame = session.state() == SessionState::Reconnecting ||
-                        session.state() == SessionState::Leaving ||
-                        (session.state() == SessionState::Connected && session.returns() > 0);
-    if (!isSame) {
+    const std::uint64_t device = session.state() == SessionState::Lost ? 0 : session.deviceNumber();
+    if (std::exchange(m_deviceNumber, device) != device) {
         m_before.clear(); // nothing of another one was replaced
         leaveGains();
         forgetVerification();
