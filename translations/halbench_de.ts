@@ -9064,6 +9064,29 @@
     </message>
 </context>
 <context>
+    <name>QObject</name>
+    <message>
+        <source>List All Tabs</source>
+        <translation>Alle Reiter anzeigen</translation>
+    </message>
+    <message>
+        <source>Detach Group</source>
+        <translation>Gruppe ablösen</translation>
+    </message>
+    <message>
+        <source>Close Active Tab</source>
+        <translation>Aktiven Reiter schließen</translation>
+    </message>
+    <message>
+        <source>Close Group</source>
+        <translation>Gruppe schließen</translation>
+    </message>
+    <message>
+        <source>Close Tab</source>
+        <translation>Reiter schließen</translation>
+    </message>
+</context>
+<context>
     <name>ads::CDockAreaTitleBar</name>
     <message>
         <source>List All Tabs</source>

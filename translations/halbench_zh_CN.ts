@@ -9064,6 +9064,29 @@
     </message>
 </context>
 <context>
+    <name>QObject</name>
+    <message>
+        <source>List All Tabs</source>
+        <translation>列出所有标签页</translation>
+    </message>
+    <message>
+        <source>Detach Group</source>
+        <translation>分离标签组</translation>
+    </message>
+    <message>
+        <source>Close Active Tab</source>
+        <translation>关闭当前标签页</translation>
+    </message>
+    <message>
+        <source>Close Group</source>
+        <translation>关闭标签组</translation>
+    </message>
+    <message>
+        <source>Close Tab</source>
+        <translation>关闭标签页</translation>
+    </message>
+</context>
+<context>
     <name>ads::CDockAreaTitleBar</name>
     <message>
         <source>List All Tabs</source>

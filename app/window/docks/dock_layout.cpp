@@ -26,6 +26,11 @@ constexpr int ArrangementVersion = 2;
 
 /// What the docking library asks translations for, from the menus and tool tips of its tabs.
 [[maybe_unused]] constexpr const char* LibraryWords[] = {
+    QT_TRANSLATE_NOOP("QObject", "List All Tabs"),
+    QT_TRANSLATE_NOOP("QObject", "Detach Group"),
+    QT_TRANSLATE_NOOP("QObject", "Close Active Tab"),
+    QT_TRANSLATE_NOOP("QObject", "Close Group"),
+    QT_TRANSLATE_NOOP("QObject", "Close Tab"),
     QT_TRANSLATE_NOOP("ads::CDockAreaTitleBar", "List All Tabs"),
     QT_TRANSLATE_NOOP("ads::CDockAreaTitleBar", "Detach Group"),
     QT_TRANSLATE_NOOP("ads::CDockAreaTitleBar", "Close Active Tab"),
