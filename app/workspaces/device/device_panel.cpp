@@ -317,10 +317,10 @@ void DevicePanel::refresh() {
 QString DevicePanel::identityText() const {
     const DeviceSession& session = m_bench.session();
     if (session.state() == SessionState::Leaving) {
-        return tr("Stopping and disarming …");
+        return tr("Stopping and disarming…");
     }
     if (session.state() == SessionState::Reconnecting) {
-        return tr("Connection lost. Reconnecting to %1 …").arg(words(session.info().id));
+        return tr("Connection lost. Reconnecting to %1…").arg(words(session.info().id));
     }
     if (session.state() != SessionState::Connected) {
         return {};
