@@ -255,6 +255,7 @@ void MainWindow::buildCentre() {
     m_bench.stopLatch().setLockOut_ms(m_preferences.stopLockOut_ms);
     m_docks = new DockLayout(centre);
     m_message = new widgets::MessageBar(centre);
+    m_message->setObjectName(QStringLiteral("window_message"));
     connect(m_message, &widgets::MessageBar::actionTriggered, this, [this] {
         const auto remedy = m_remedy; // it may say something else itself
         remedy();

@@ -79,7 +79,7 @@ TEST_F(LanguageTest, theMenuKeepsTheChoiceForTheNextStart) {
     ASSERT_NE(action("Deutsch"), nullptr);
     action("Deutsch")->trigger();
     EXPECT_EQ(loadPreferences().language, "de");
-    auto* message = window->findChild<widgets::MessageBar*>();
+    auto* message = window->findChild<widgets::MessageBar*>("window_message");
     EXPECT_TRUE(message->isVisible()); // it says when the words change
     QSettings().remove("language");
 }
