@@ -33,6 +33,7 @@ struct ReferenceFieldSpec {
     const char* currentUnit;
     ReferenceRange angle; ///< of angles and speeds in degrees
     ReferenceRange current;
+    const char* currentTitle = nullptr; ///< in the other modes, where it is another
 };
 
 /// In the order of the form. The limits are the board's: resources/help/protocol.md 3.15.

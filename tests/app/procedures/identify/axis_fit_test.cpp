@@ -2,10 +2,12 @@
 #include "app/procedures/identify/axes_procedure.h"
 #include "app/procedures/identify/axis_fit.h"
 #include "app/procedures/identify/axis_motion.h"
+#include "control/base/units.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace halbench::app {
@@ -14,22 +16,29 @@ namespace {
 constexpr double Period_s = 1e-3;
 constexpr double Damping_1_s = 4.0, Gain = 20.0, Breakaway_A = 0.05;
 
-/// A motion that goes back and forth at 0.08 m/s with a sine of 4 Hz on it, and the effort that it takes by
-/// q'' + a q' = k (u(t - d) - u_f sgn q') in the middle of each row: by the closed form of q, no integration.
+/// A motion that goes back and forth at two speeds with a sine of another frequency on each, and the effort
+/// that it takes by q'' + a q' = k (u(t - d) - u_f sgn q') in the middle of each row: by the closed form of
+/// q, no integration.
 AxisRows motion(int sweeps, double delay_s, double stiffness_1_s2 = 0.0) {
-    constexpr double Speed_m_s = 0.08, Omega = 2.0 * 3.14159265358979323846 * 4.0, Share = 0.5;
+    constexpr double Share = 0.5;
     constexpr int SweepRows = 1000;
+    // One frequency alone would leave the effort's delay and the damping the same shape in every window.
+    constexpr std::array Speeds_m_s = {0.08, 0.05};
+    constexpr std::array Frequencies_Hz = {3.0, 5.0};
     AxisRows rows;
     for (int i = 0; i < sweeps * SweepRows; ++i) {
         const double direction = (i / SweepRows) % 2 == 0 ? 1.0 : -1.0;
+        const auto pair = static_cast<std::size_t>(i / (2 * SweepRows) % 2);
+        const double speed_m_s = Speeds_m_s[pair];
+        const double omega = 2.0 * Pi * Frequencies_Hz[pair];
         const auto place = [&](double t_s) {
-            const double way = Speed_m_s * (t_s + Share / Omega * std::sin(Omega * t_s));
-            return direction > 0.0 ? way : Speed_m_s - way;
+            const double way = speed_m_s * (t_s + Share / omega * std::sin(omega * t_s));
+            return direction > 0.0 ? way : speed_m_s - way;
         };
         const double local_s = Period_s * (i % SweepRows);
         const double t_s = local_s + 0.5 * Period_s + delay_s;
-        const double speed = direction * Speed_m_s * (1.0 + Share * std::cos(Omega * t_s));
-        const double acceleration = -direction * Speed_m_s * Share * Omega * std::sin(Omega * t_s);
+        const double speed = direction * speed_m_s * (1.0 + Share * std::cos(omega * t_s));
+        const double acceleration = -direction * speed_m_s * Share * omega * std::sin(omega * t_s);
         rows.time_s.push_back(Period_s * i);
         rows.position.push_back(place(local_s));
         rows.effort.push_back((acceleration + Damping_1_s * speed + stiffness_1_s2 * place(t_s)) / Gain +
@@ -77,12 +86,16 @@ TEST(AxisFit, leavesWindowsWithMissingRowsOut) {
 TEST(AxesEstimate, refusesAMotionWithAForceThatTheModelLacks) {
     // 200/s^2 over 8 cm: 16 m/s^2, twenty times what the sine takes.
     const auto fit = fitAxis(motion(8, 0.0, 200.0), 0.01);
+    ASSERT_TRUE(fit) << fit.error().message;
     AxesEstimate estimate(std::nullopt);
     devices::AxisSpec axis;
     axis.id = "x";
     axis.positionUnit = "m";
     estimate.add(axis, fit, {});
-    EXPECT_EQ(std::move(estimate).result().quality.verdict, Verdict::Refused);
+    const DataQuality quality = std::move(estimate).result().quality;
+    EXPECT_EQ(quality.verdict, Verdict::Refused);
+    ASSERT_FALSE(quality.findings.empty());
+    EXPECT_EQ(quality.findings.front().code, "not_explained");
 }
 
 TEST(AxesEstimate, keepsTheAxesIndependent) {

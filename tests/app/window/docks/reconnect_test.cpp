@@ -125,7 +125,7 @@ TEST_F(WindowReconnectTest, recordsOnWithAMarkedGapAndIsNotArmed) {
     ASSERT_TRUE(wait([&] { return recording.status().rows > 20; }));
     unplug();
     EXPECT_TRUE(strip().stateText().contains("reconnecting")) << strip().stateText().toStdString();
-    EXPECT_TRUE(notice().startsWith("Connection lost")) << notice().toStdString();
+    EXPECT_TRUE(wait([&] { return notice().startsWith("Connection lost"); })) << notice().toStdString();
     EXPECT_TRUE(recording.isRecording());
     EXPECT_TRUE(remedy().contains("The recording continues with a gap.")) << remedy().toStdString();
     EXPECT_FALSE(session().report().board.isArmed);

@@ -3,6 +3,7 @@
 
 #include <QMenuBar>
 #include <QSettings>
+#include <QToolButton>
 
 namespace halbench::app {
 namespace {
@@ -45,6 +46,20 @@ TEST_F(LanguageTest, theWindowSpeaksIt) {
     open();
     EXPECT_NE(action("Datei"), nullptr);
     EXPECT_EQ(QLocale().decimalPoint(), ',');
+}
+
+TEST_F(LanguageTest, theDocksSpeakItToo) {
+    speak(application, "de");
+    open();
+    QStringList helps;
+    for (const QToolButton* button : window->findChildren<QToolButton*>()) {
+        helps << button->toolTip();
+    }
+    EXPECT_TRUE(helps.contains("Gruppe ablösen"));
+    EXPECT_TRUE(helps.contains("Alle Reiter anzeigen"));
+    for (const char* words : {"Detach", "Close", "Close Others"}) { // of the menu of a tab
+        EXPECT_NE(QCoreApplication::translate("ads::CDockWidgetTab", words), QLatin1String(words));
+    }
 }
 
 TEST_F(LanguageTest, aPluralHasItsOwnFormInEveryLanguage) {
