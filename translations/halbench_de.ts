@@ -9074,6 +9074,114 @@
         <source>correct the line or open an earlier copy; the help shows the form of the files</source>
         <translation>die Zeile berichtigen oder eine frühere Fassung öffnen; die Hilfe zeigt die Form der Dateien</translation>
     </message>
+    <message>
+        <source>the sensors of this device need no calibration</source>
+        <translation>die Sensoren dieses Geräts brauchen keine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>use identify or record</source>
+        <translation>Identifizieren oder Aufzeichnen verwenden</translation>
+    </message>
+    <message>
+        <source>force per effort</source>
+        <translation>Kraft je Stellgröße</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} von {}</translation>
+    </message>
+    <message>
+        <source>The motion does not excite the axis enough: check that nothing holds it.</source>
+        <translation>Die Bewegung regt die Achse zu wenig an: Prüfen, dass nichts sie festhält.</translation>
+    </message>
+    <message>
+        <source>axis {}: damping, friction and effort leave {} % of the acceleration unexplained</source>
+        <translation>Achse {}: Dämpfung, Reibung und Stellgröße erklären {} % der Beschleunigung nicht</translation>
+    </message>
+    <message>
+        <source>The axis has a force that depends on the position, or another axis acts on it.</source>
+        <translation>Auf die Achse wirkt eine Kraft, die von der Position abhängt, oder eine andere Achse.</translation>
+    </message>
+    <message>
+        <source>Design with the upper bound, or identify again with a wider window.</source>
+        <translation>Mit der oberen Grenze auslegen oder mit einem weiteren Fenster erneut identifizieren.</translation>
+    </message>
+    <message>
+        <source>Nothing to do where the axis has none.</source>
+        <translation>Nichts zu tun, wenn die Achse keine hat.</translation>
+    </message>
+    <message>
+        <source>axis {}: {} of {} windows of the motion miss rows</source>
+        <translation>Achse {}: {} von {} Fenstern der Bewegung fehlen Zeilen</translation>
+    </message>
+    <message>
+        <source>only ratios follow from the motion: damping, friction and force have no absolute value</source>
+        <translation>Aus der Bewegung folgen nur Verhältnisse: Dämpfung, Reibung und Kraft haben keinen absoluten Wert</translation>
+    </message>
+    <message>
+        <source>Weigh a slide and give its mass: --given m=0.2, in an experiment given = { m = 0.2 }.</source>
+        <translation>Einen Schlitten wiegen und seine Masse angeben: --given m=0.2, in einem Experiment given = { m = 0.2 }.</translation>
+    </message>
+    <message>
+        <source>this device has no constant &apos;{}&apos;</source>
+        <translation>dieses Gerät hat keine Konstante &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>known is m (moving mass of an axis, kg)</source>
+        <translation>bekannt ist m (bewegte Masse einer Achse, kg)</translation>
+    </message>
+    <message>
+        <source>m is not a finite number</source>
+        <translation>m ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>m = {} must be positive</source>
+        <translation>m = {} muss positiv sein</translation>
+    </message>
+    <message>
+        <source>leave them out; this device takes an axis and a given m</source>
+        <translation>weglassen; dieses Gerät nimmt eine Achse und eine Masse m</translation>
+    </message>
+    <message>
+        <source>Check that nothing holds the axis, and that it follows its reference.</source>
+        <translation>Prüfen, dass nichts die Achse festhält und dass sie ihrem Sollwert folgt.</translation>
+    </message>
+    <message>
+        <source>only {} of {} stretches of {} s in steady motion</source>
+        <translation>nur {} von {} Abschnitten von {} s in stetiger Bewegung</translation>
+    </message>
+    <message>
+        <source>the axis moved one way only</source>
+        <translation>die Achse bewegte sich nur nach einer Seite</translation>
+    </message>
+    <message>
+        <source>the effort shows no effect on the motion within 8 rows</source>
+        <translation>die Stellgröße zeigt innerhalb von 8 Zeilen keine Wirkung auf die Bewegung</translation>
+    </message>
+    <message>
+        <source>the delay of the effort is not decided by the motion</source>
+        <translation>die Verzögerung der Stellgröße ist aus der Bewegung nicht bestimmbar</translation>
+    </message>
+    <message>
+        <source>runs with a sine on its speed</source>
+        <translation>fährt mit einem Sinus auf der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>goes to its place</source>
+        <translation>fährt an seinen Platz</translation>
+    </message>
+    <message>
+        <source>axis {} {}</source>
+        <translation>Achse {} {}</translation>
+    </message>
+    <message>
+        <source>the device lacks position or effort of axis {}</source>
+        <translation>dem Gerät fehlt Position oder Stellgröße der Achse {}</translation>
+    </message>
+    <message>
+        <source>Its profile needs both roles.</source>
+        <translation>Sein Profil braucht beide Rollen.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

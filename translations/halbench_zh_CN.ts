@@ -9074,6 +9074,114 @@
         <source>correct the line or open an earlier copy; the help shows the form of the files</source>
         <translation>更正该行，或打开较早的副本；帮助中说明了文件格式</translation>
     </message>
+    <message>
+        <source>the sensors of this device need no calibration</source>
+        <translation>此设备的传感器不需要标定</translation>
+    </message>
+    <message>
+        <source>use identify or record</source>
+        <translation>请使用辨识或记录</translation>
+    </message>
+    <message>
+        <source>force per effort</source>
+        <translation>单位作用量的力</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{}：{}</translation>
+    </message>
+    <message>
+        <source>The motion does not excite the axis enough: check that nothing holds it.</source>
+        <translation>运动对该轴的激励不足：请检查是否有东西卡住它。</translation>
+    </message>
+    <message>
+        <source>axis {}: damping, friction and effort leave {} % of the acceleration unexplained</source>
+        <translation>轴 {}：阻尼、摩擦和作用量未能解释加速度的 {} %</translation>
+    </message>
+    <message>
+        <source>The axis has a force that depends on the position, or another axis acts on it.</source>
+        <translation>该轴上有随位置变化的力，或受到另一个轴的作用。</translation>
+    </message>
+    <message>
+        <source>Design with the upper bound, or identify again with a wider window.</source>
+        <translation>请按上限设计，或放宽窗口后重新辨识。</translation>
+    </message>
+    <message>
+        <source>Nothing to do where the axis has none.</source>
+        <translation>如果该轴没有摩擦，则无需处理。</translation>
+    </message>
+    <message>
+        <source>axis {}: {} of {} windows of the motion miss rows</source>
+        <translation>轴 {}：{} 个运动窗口（共 {} 个）缺少行</translation>
+    </message>
+    <message>
+        <source>only ratios follow from the motion: damping, friction and force have no absolute value</source>
+        <translation>由运动只能得到比值：阻尼、摩擦和力没有绝对值</translation>
+    </message>
+    <message>
+        <source>Weigh a slide and give its mass: --given m=0.2, in an experiment given = { m = 0.2 }.</source>
+        <translation>请称量滑块并给出其质量：--given m=0.2，在实验文件中 given = { m = 0.2 }。</translation>
+    </message>
+    <message>
+        <source>this device has no constant &apos;{}&apos;</source>
+        <translation>此设备没有常数 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>known is m (moving mass of an axis, kg)</source>
+        <translation>已知的是 m（轴的运动质量，kg）</translation>
+    </message>
+    <message>
+        <source>m is not a finite number</source>
+        <translation>m 不是有限数</translation>
+    </message>
+    <message>
+        <source>m = {} must be positive</source>
+        <translation>m = {} 必须为正</translation>
+    </message>
+    <message>
+        <source>leave them out; this device takes an axis and a given m</source>
+        <translation>请省略；此设备接受轴和给定的 m</translation>
+    </message>
+    <message>
+        <source>Check that nothing holds the axis, and that it follows its reference.</source>
+        <translation>请检查没有东西卡住该轴，并且它跟随其参考值。</translation>
+    </message>
+    <message>
+        <source>only {} of {} stretches of {} s in steady motion</source>
+        <translation>只有 {} 段（需要 {} 段，每段 {} s）处于稳定运动</translation>
+    </message>
+    <message>
+        <source>the axis moved one way only</source>
+        <translation>该轴只向一侧运动</translation>
+    </message>
+    <message>
+        <source>the effort shows no effect on the motion within 8 rows</source>
+        <translation>作用量在 8 行之内对运动没有影响</translation>
+    </message>
+    <message>
+        <source>the delay of the effort is not decided by the motion</source>
+        <translation>由运动无法确定作用量的延迟</translation>
+    </message>
+    <message>
+        <source>runs with a sine on its speed</source>
+        <translation>以叠加正弦的速度扫过</translation>
+    </message>
+    <message>
+        <source>goes to its place</source>
+        <translation>移动到位</translation>
+    </message>
+    <message>
+        <source>axis {} {}</source>
+        <translation>轴 {} {}</translation>
+    </message>
+    <message>
+        <source>the device lacks position or effort of axis {}</source>
+        <translation>设备缺少轴 {} 的位置或作用量</translation>
+    </message>
+    <message>
+        <source>Its profile needs both roles.</source>
+        <translation>其配置文件需要这两个角色。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

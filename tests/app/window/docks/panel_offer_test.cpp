@@ -149,12 +149,12 @@ TEST_F(PanelOfferTest, theNextDeviceFindsThePanelsAsTheyWereLeft) {
     EXPECT_NE(perspective("Tune"), nullptr);
 }
 
-TEST_F(PanelOfferTest, anActuatorOfThisTestIsDrivenWithoutTheMotorsProcedures) {
+TEST_F(PanelOfferTest, anActuatorOfThisTestIsDrivenAndIdentifiedButNotCalibrated) {
     open();
     connectTo("sim:toy");
     EXPECT_TRUE(window->docks().isOffered("drive"));
     EXPECT_TRUE(window->docks().isOffered(Perspective::Tune));
-    EXPECT_FALSE(window->docks().isOffered(Perspective::Identify)); // its profile offers move and record
+    EXPECT_TRUE(window->docks().isOffered(Perspective::Identify));
     EXPECT_FALSE(window->docks().isOffered("calibrate"));
     EXPECT_FALSE(window->docks().isOffered(Perspective::Field)); // no view is registered
     EXPECT_TRUE(inBar<ArmButton>()->isVisible());
