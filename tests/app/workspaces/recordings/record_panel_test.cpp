@@ -183,7 +183,8 @@ TEST_F(RecordPanelTest, aProcedureIsRecordedThroughItsOwnStream) {
     ASSERT_TRUE(
         wait([&] { return figure("Samples written").toInt() > before + 50; })); // the panels' stream again
     click(*panel, "Stop recording");
-    ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
+    // A warning where the change from one stream to the other took rows.
+    ASSERT_TRUE(wait([&] { return message().text.contains("move.csv"); }));
     const auto file = devices::readRecordingFile(folder.filePath("move.csv").toStdString());
     ASSERT_TRUE(file) << file.error().message;
     const std::vector<double> position = file->recording.column("position");
