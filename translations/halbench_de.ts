@@ -9182,6 +9182,26 @@
         <source>Its profile needs both roles.</source>
         <translation>Sein Profil braucht beide Rollen.</translation>
     </message>
+    <message>
+        <source>axis {}: damping changes with the speed, the intervals do not include it</source>
+        <translation>Achse {}: Dämpfung ändert sich mit der Geschwindigkeit, die Intervalle enthalten das nicht</translation>
+    </message>
+    <message>
+        <source>Use the values near the speeds of the motion only; look for drag, or friction that grows with the speed.</source>
+        <translation>Werte nur nahe den Geschwindigkeiten der Bewegung verwenden; nach Luftwiderstand suchen oder nach Reibung, die mit der Geschwindigkeit wächst.</translation>
+    </message>
+    <message>
+        <source>axis {}: negative friction, not possible</source>
+        <translation>Achse {}: negative Reibung, nicht möglich</translation>
+    </message>
+    <message>
+        <source>axis {}: negative damping, not possible</source>
+        <translation>Achse {}: negative Dämpfung, nicht möglich</translation>
+    </message>
+    <message>
+        <source>The axis has a force that the model lacks, or position and effort are shifted in time.</source>
+        <translation>Auf die Achse wirkt eine Kraft, die dem Modell fehlt, oder Position und Stellgröße sind zeitlich verschoben.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -9182,6 +9182,26 @@
         <source>Its profile needs both roles.</source>
         <translation>其配置文件需要这两个角色。</translation>
     </message>
+    <message>
+        <source>axis {}: damping changes with the speed, the intervals do not include it</source>
+        <translation>轴 {}：阻尼随速度变化，区间未包含此影响</translation>
+    </message>
+    <message>
+        <source>Use the values near the speeds of the motion only; look for drag, or friction that grows with the speed.</source>
+        <translation>仅在接近该运动速度时使用这些值；请查找流体阻力或随速度增大的摩擦。</translation>
+    </message>
+    <message>
+        <source>axis {}: negative friction, not possible</source>
+        <translation>轴 {}：摩擦为负，不可能</translation>
+    </message>
+    <message>
+        <source>axis {}: negative damping, not possible</source>
+        <translation>轴 {}：阻尼为负，不可能</translation>
+    </message>
+    <message>
+        <source>The axis has a force that the model lacks, or position and effort are shifted in time.</source>
+        <translation>该轴受到模型中没有的力，或位置与控制量在时间上错位。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

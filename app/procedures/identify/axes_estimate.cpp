@@ -127,6 +127,26 @@ void AxesEstimate::judge(const IdentifiedAxis& axis, const AxisFit& fit) {
                            axis.dampingRate.interval95->second),
                "Design with the upper bound, or identify again with a wider window.");
     }
+    const double quantile = control::studentQuantile(0.975, fit.freedom);
+    if (fit.breakawayEffort + quantile * deviationOf(fit, Breakaway) < 0.0) {
+        remark(quality, Verdict::Refused, "friction_below_zero",
+               fmt::format("axis {}: negative friction, not possible", axis.axis),
+               "The axis has a force that the model lacks, or position and effort are shifted in time.");
+    }
+    if (fit.dampingRate_1_s + quantile * deviationOf(fit, Damping) < 0.0) {
+        remark(quality, Verdict::Refused, "damping_below_zero",
+               fmt::format("axis {}: negative damping, not possible", axis.axis),
+               "The axis has a force that the model lacks, or position and effort are shifted in time.");
+    }
+    constexpr double Certain = 0.9995; // one healthy axis in a thousand is called doubtful
+    if (std::fabs(fit.drag_t) > control::studentQuantile(Certain, fit.freedom)) {
+        remark(
+            quality, Verdict::Doubtful, "damping_not_constant",
+            fmt::format("axis {}: damping changes with the speed, the intervals do not include it",
+                        axis.axis),
+            "Use the values near the speeds of the motion only; look for drag, or friction that grows with "
+            "the speed.");
+    }
     if (axis.breakawayEffort.interval95->first <= 0.0) {
         remark(quality, Verdict::Good, "friction_bound",
                fmt::format("axis {}: friction is below the resolution, at most {:.2g} {}", axis.axis,

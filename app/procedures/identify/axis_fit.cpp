@@ -215,6 +215,54 @@ Result<Eigen::Matrix3d> jackknife(const Equations& equations, const Eigen::Vecto
     return Eigen::Matrix3d(sum * (count - 1.0) / count);
 }
 
+/// The further column q'|q'| of every equation.
+Eigen::VectorXd squaredSpeeds(const AxisRows& rows, const Windows& windows) {
+    constexpr std::size_t Half = 5; // rows
+    Eigen::VectorXd squares(static_cast<Eigen::Index>(windows.all.size()) * Functions);
+    Eigen::Index row = 0;
+    for (const Window& window : windows.all) {
+        for (int function = 0; function < Functions; ++function, ++row) {
+            double sum = 0.0;
+            for (std::size_t i = 1; i < windows.rows; ++i) {
+                const std::size_t at = window.begin + i;
+                const std::size_t end = std::min(at + Half, rows.position.size() - 1);
+                const double speed = (rows.position[end] - rows.position[at - Half]) /
+                                     (static_cast<double>(end - at + Half) * windows.period_s);
+                const double place = static_cast<double>(i) / static_cast<double>(windows.rows);
+                sum += weightAt(function, place).value * speed * std::fabs(speed);
+            }
+            squares(row) = sum * windows.period_s;
+        }
+    }
+    return squares;
+}
+
+/// Student's t of that column, by leaving one window after the other out.
+Result<double> dragSignificance(const Equations& equations, const Eigen::VectorXd& weights,
+                                const Eigen::VectorXd& squares) {
+    Eigen::MatrixXd design(equations.design.rows(), equations.design.cols() + 1);
+    design << equations.design, squares;
+    const Eigen::Index last = design.cols() - 1;
+    const auto all = control::fitLinear(design, equations.observed, weights);
+    if (!all) {
+        return failure(all.error());
+    }
+    const Eigen::Index windows = weights.size() / Functions;
+    double sum = 0.0;
+    for (Eigen::Index window = 0; window < windows; ++window) {
+        Eigen::VectorXd without = weights;
+        without.segment(window * Functions, Functions).setZero();
+        const auto fit = control::fitLinear(design, equations.observed, without);
+        if (!fit) {
+            return failure(fit.error());
+        }
+        sum += std::pow(fit->coefficients(last) - all->coefficients(last), 2);
+    }
+    const auto count = static_cast<double>(windows);
+    const double error = std::sqrt(sum * (count - 1.0) / count);
+    return error > 0.0 ? all->coefficients(last) / error : 0.0;
+}
+
 tl::unexpected<Error> unexcited(std::string message) {
     return failure(ErrorCode::Refused, std::move(message),
                    "Check that nothing holds the axis, and that it follows its reference.");
@@ -289,7 +337,12 @@ Result<AxisFit> fitAxis(const AxisRows& rows, double slowest) {
     if (!covariance) {
         return failure(covariance.error());
     }
+    const auto drag = dragSignificance(solution->equations, solution->weights, squaredSpeeds(rows, windows));
+    if (!drag) {
+        return failure(drag.error());
+    }
     AxisFit result;
+    result.drag_t = *drag;
     result.dampingRate_1_s = named(0);
     result.accelerationGain = named(1);
     result.breakawayEffort = named(2);

@@ -24,8 +24,10 @@ struct AxisFit {
     double delay_s = 0.0;                                 ///< of the effort behind its row
     double freedom = 0.0;                                 ///< of Student's t
     double unexplained_ratio = 0.0;                       ///< of the acceleration, rms
-    int windows = 0;                                      ///< of the motion that were used
-    int leftOut = 0;                                      ///< because rows were missing
+    double drag_t =
+        0.0;         ///< Student's t of a further term d q'|q'|: what a damping that grows with the speed has
+    int windows = 0; ///< of the motion that were used
+    int leftOut = 0; ///< because rows were missing
 };
 
 /// Weak form: the equation is multiplied by smooth functions of windows of 0.25 s and integrated by parts, so

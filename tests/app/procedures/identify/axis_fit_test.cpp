@@ -20,7 +20,7 @@ constexpr double Damping_1_s = 4.0, Gain = 20.0, Breakaway_A = 0.05;
 /// A motion that goes back and forth at two speeds with a sine of another frequency on each, and the effort
 /// that it takes by q'' + a q' = k (u(t - d) - u_f sgn q') in the middle of each row: by the closed form of
 /// q, no integration.
-AxisRows motion(int sweeps, double delay_s, double stiffness_1_s2 = 0.0) {
+AxisRows motion(int sweeps, double delay_s, double stiffness_1_s2 = 0.0, double drag_1_m = 0.0) {
     constexpr double Share = 0.5;
     constexpr int SweepRows = 1000;
     // One frequency alone would leave the effort's delay and the damping the same shape in every window.
@@ -42,7 +42,9 @@ AxisRows motion(int sweeps, double delay_s, double stiffness_1_s2 = 0.0) {
         const double acceleration = -direction * speed_m_s * Share * omega * std::sin(omega * t_s);
         rows.time_s.push_back(Period_s * i);
         rows.position.push_back(place(local_s));
-        rows.effort.push_back((acceleration + Damping_1_s * speed + stiffness_1_s2 * place(t_s)) / Gain +
+        rows.effort.push_back((acceleration + Damping_1_s * speed + stiffness_1_s2 * place(t_s) +
+                               drag_1_m * speed * std::fabs(speed)) /
+                                  Gain +
                               direction * Breakaway_A);
     }
     return rows;
@@ -98,6 +100,46 @@ TEST(AxesEstimate, refusesAMotionWithAForceThatTheModelLacks) {
         ASSERT_FALSE(quality.findings.empty());
         EXPECT_EQ(quality.findings.front().code, code);
     }
+}
+
+TEST(AxesEstimate, doubtsADampingThatChangesWithTheSpeed) {
+    // At 0.1 m/s the damping takes 0.4 m/s^2; 5/m of drag add 0.05 to it.
+    for (const double drag_1_m : {-5.0, 0.0, 2.0, 5.0, 10.0, 20.0}) {
+        AxesEstimate estimate(std::nullopt);
+        devices::AxisSpec axis;
+        axis.id = "x";
+        axis.positionUnit = "m";
+        estimate.add(axis, fitAxis(motion(8, 0.0, 0.0, drag_1_m), 0.01), {});
+        const DataQuality quality = std::move(estimate).result().quality;
+        const bool isSaid =
+            std::any_of(quality.findings.begin(), quality.findings.end(),
+                        [](const Finding& finding) { return finding.code == "damping_not_constant"; });
+        EXPECT_EQ(isSaid, drag_1_m != 0.0) << drag_1_m;
+        EXPECT_EQ(quality.verdict == Verdict::Good, drag_1_m == 0.0) << drag_1_m;
+    }
+}
+
+TEST(AxesEstimate, refusesFrictionAndDampingBelowZero) {
+    auto fit = fitAxis(motion(8, 0.0), 0.01);
+    ASSERT_TRUE(fit) << fit.error().message;
+    const auto verdictOf = [](const AxisFit& changed, const char* code) {
+        AxesEstimate estimate(std::nullopt);
+        devices::AxisSpec axis;
+        axis.id = "x";
+        axis.positionUnit = "m";
+        estimate.add(axis, changed, {});
+        const DataQuality quality = std::move(estimate).result().quality;
+        EXPECT_TRUE(std::any_of(quality.findings.begin(), quality.findings.end(),
+                                [&](const Finding& finding) { return finding.code == code; }))
+            << code;
+        return quality.verdict;
+    };
+    AxisFit friction = *fit;
+    friction.breakawayEffort = -friction.breakawayEffort;
+    EXPECT_EQ(verdictOf(friction, "friction_below_zero"), Verdict::Refused);
+    AxisFit damping = *fit;
+    damping.dampingRate_1_s = -damping.dampingRate_1_s;
+    EXPECT_EQ(verdictOf(damping, "damping_below_zero"), Verdict::Refused);
 }
 
 TEST(AxesEstimate, keepsTheAxesIndependent) {
