@@ -91,6 +91,10 @@
         <source>Monitor 3</source>
         <translation>Monitor 3</translation>
     </message>
+    <message>
+        <source>Estimators</source>
+        <translation>Schätzer</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -20337,6 +20341,161 @@ Hall B
     <message>
         <source>Copy table</source>
         <translation>Tabelle kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::EstimatorPanel</name>
+    <message>
+        <source>Sensors at %1, %2 mm from the centre; q %3 mT</source>
+        <translation>Sensoren bei %1, %2 mm vom Mittelpunkt; q %3 mT</translation>
+    </message>
+    <message>
+        <source>Tensor</source>
+        <translation>Tensor</translation>
+    </message>
+    <message>
+        <source>Projector</source>
+        <translation>Projektor</translation>
+    </message>
+    <message>
+        <source>Projector + Gauss-Newton step</source>
+        <translation>Projektor + Gauß-Newton-Schritt</translation>
+    </message>
+    <message>
+        <source>Levenberg-Marquardt</source>
+        <translation>Levenberg-Marquardt</translation>
+    </message>
+    <message>
+        <source>Closed form, additive model</source>
+        <translation>Geschlossene Form, additives Modell</translation>
+    </message>
+    <message>
+        <source>Closed form + least squares</source>
+        <translation>Geschlossene Form + kleinste Quadrate</translation>
+    </message>
+    <message>
+        <source>Particle swarm, additive model</source>
+        <translation>Partikelschwarm, additives Modell</translation>
+    </message>
+    <message>
+        <source>Sensors of the comparison</source>
+        <translation>Sensoren des Vergleichs</translation>
+    </message>
+    <message>
+        <source>Errors are measured to the nearest of the four orientations with the same field. The time is that of one thread of this computer.</source>
+        <translation>Fehler gelten gegen die nächste der vier Orientierungen mit gleichem Feld. Die Zeit ist die eines Threads dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>Readings from</source>
+        <translation>Messwerte aus</translation>
+    </message>
+    <message>
+        <source>Model that makes the readings of the sensors</source>
+        <translation>Modell, das die Messwerte der Sensoren liefert</translation>
+    </message>
+    <message>
+        <source>Physical field</source>
+        <translation>Physikalisches Feld</translation>
+    </message>
+    <message>
+        <source>Additive model</source>
+        <translation>Additives Modell</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Number of random poses in the workspace</source>
+        <translation>Anzahl zufälliger Lagen im Arbeitsbereich</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Noise of each reading, rms; at first that of the board</source>
+        <translation>Rauschen je Messwert, effektiv; zuerst das des Geräts</translation>
+    </message>
+    <message>
+        <source>Failure above</source>
+        <translation>Misslungen ab</translation>
+    </message>
+    <message>
+        <source>A pose with a larger error has failed</source>
+        <translation>Eine Lage mit größerem Fehler ist misslungen</translation>
+    </message>
+    <message>
+        <source>Harmonic passes</source>
+        <translation>Harmonische Durchgänge</translation>
+    </message>
+    <message>
+        <source>How often the board&apos;s harmonics are corrected; 0: never</source>
+        <translation>Wie oft die Harmonischen korrigiert werden; 0: nie</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Equal seeds give equal poses and noise</source>
+        <translation>Gleiche Startwerte: gleiche Lagen, gleiches Rauschen</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare estimators</source>
+        <translation>Schätzer &amp;vergleichen</translation>
+    </message>
+    <message>
+        <source>Estimate all poses with each of them (Alt+M)</source>
+        <translation>Alle Lagen mit jedem schätzen (Alt+V)</translation>
+    </message>
+    <message>
+        <source>Comparing the estimators</source>
+        <translation>Schätzer werden verglichen</translation>
+    </message>
+    <message>
+        <source>Estimators compared</source>
+        <translation>Verglichene Schätzer</translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation>Schätzer</translation>
+    </message>
+    <message>
+        <source>rms error [°]</source>
+        <translation>Fehler, effektiv [°]</translation>
+    </message>
+    <message>
+        <source>Largest error [°]</source>
+        <translation>Größter Fehler [°]</translation>
+    </message>
+    <message>
+        <source>Shaft, rms [°]</source>
+        <translation>Welle, effektiv [°]</translation>
+    </message>
+    <message>
+        <source>Failures</source>
+        <translation>Misslungen</translation>
+    </message>
+    <message>
+        <source>Time per pose [µs]</source>
+        <translation>Zeit je Lage [µs]</translation>
+    </message>
+    <message>
+        <source>Compares orientation estimators on random poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
+        <translation>Vergleicht Schätzer der Orientierung an zufälligen Lagen. Ein Gerät verbinden, das das Feld eines Rotors im Raum misst, oder eine Aufzeichnung davon abspielen.</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled.</source>
+        <translation>Der Vergleich wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>nicht verwendbar</translation>
     </message>
 </context>
 </TS>

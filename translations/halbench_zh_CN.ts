@@ -91,6 +91,10 @@
         <source>Monitor 3</source>
         <translation>监视 3</translation>
     </message>
+    <message>
+        <source>Estimators</source>
+        <translation>估计器</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -20322,6 +20326,161 @@ Hall B
     <message>
         <source>Copy table</source>
         <translation>复制表格</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::EstimatorPanel</name>
+    <message>
+        <source>Sensors at %1, %2 mm from the centre; q %3 mT</source>
+        <translation>传感器位于 %1，距中心 %2 mm；q %3 mT</translation>
+    </message>
+    <message>
+        <source>Tensor</source>
+        <translation>张量</translation>
+    </message>
+    <message>
+        <source>Projector</source>
+        <translation>投影</translation>
+    </message>
+    <message>
+        <source>Projector + Gauss-Newton step</source>
+        <translation>投影 + 高斯-牛顿一步</translation>
+    </message>
+    <message>
+        <source>Levenberg-Marquardt</source>
+        <translation>莱文贝格-马夸特</translation>
+    </message>
+    <message>
+        <source>Closed form, additive model</source>
+        <translation>闭式解，叠加模型</translation>
+    </message>
+    <message>
+        <source>Closed form + least squares</source>
+        <translation>闭式解 + 最小二乘</translation>
+    </message>
+    <message>
+        <source>Particle swarm, additive model</source>
+        <translation>粒子群，叠加模型</translation>
+    </message>
+    <message>
+        <source>Sensors of the comparison</source>
+        <translation>用于比较的传感器</translation>
+    </message>
+    <message>
+        <source>Errors are measured to the nearest of the four orientations with the same field. The time is that of one thread of this computer.</source>
+        <translation>误差按四个同场姿态中最近的一个计算。时间为本机单线程的用时。</translation>
+    </message>
+    <message>
+        <source>Readings from</source>
+        <translation>读数来源</translation>
+    </message>
+    <message>
+        <source>Model that makes the readings of the sensors</source>
+        <translation>产生传感器读数的模型</translation>
+    </message>
+    <message>
+        <source>Physical field</source>
+        <translation>物理磁场</translation>
+    </message>
+    <message>
+        <source>Additive model</source>
+        <translation>叠加模型</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>位姿数</translation>
+    </message>
+    <message>
+        <source>Number of random poses in the workspace</source>
+        <translation>工作空间内随机位姿的数量</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>Noise of each reading, rms; at first that of the board</source>
+        <translation>每个读数的噪声（有效值）；起初为控制板的噪声</translation>
+    </message>
+    <message>
+        <source>Failure above</source>
+        <translation>失败阈值</translation>
+    </message>
+    <message>
+        <source>A pose with a larger error has failed</source>
+        <translation>误差更大的位姿视为失败</translation>
+    </message>
+    <message>
+        <source>Harmonic passes</source>
+        <translation>谐波校正次数</translation>
+    </message>
+    <message>
+        <source>How often the board&apos;s harmonics are corrected; 0: never</source>
+        <translation>控制板谐波的校正次数；0：不校正</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>随机种子</translation>
+    </message>
+    <message>
+        <source>Equal seeds give equal poses and noise</source>
+        <translation>相同种子给出相同位姿和噪声</translation>
+    </message>
+    <message>
+        <source>Co&amp;mpare estimators</source>
+        <translation>比较估计器(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Estimate all poses with each of them (Alt+M)</source>
+        <translation>用每个估计器估计全部位姿 (Alt+M)</translation>
+    </message>
+    <message>
+        <source>Comparing the estimators</source>
+        <translation>正在比较估计器</translation>
+    </message>
+    <message>
+        <source>Estimators compared</source>
+        <translation>估计器比较</translation>
+    </message>
+    <message>
+        <source>Estimator</source>
+        <translation>估计器</translation>
+    </message>
+    <message>
+        <source>rms error [°]</source>
+        <translation>误差有效值 [°]</translation>
+    </message>
+    <message>
+        <source>Largest error [°]</source>
+        <translation>最大误差 [°]</translation>
+    </message>
+    <message>
+        <source>Shaft, rms [°]</source>
+        <translation>转轴，有效值 [°]</translation>
+    </message>
+    <message>
+        <source>Failures</source>
+        <translation>失败</translation>
+    </message>
+    <message>
+        <source>Time per pose [µs]</source>
+        <translation>每位姿用时 [µs]</translation>
+    </message>
+    <message>
+        <source>Compares orientation estimators on random poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
+        <translation>在随机位姿上比较姿态估计器。请连接测量空间转子磁场的设备，或播放其记录。</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled.</source>
+        <translation>比较已取消。</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>不可用</translation>
     </message>
 </context>
 </TS>

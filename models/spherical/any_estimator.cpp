@@ -13,7 +13,7 @@ namespace halbench::models {
 namespace {
 
 bool hasClosedForm(const AdditiveModel& model) {
-    constexpr double Slack_rad = 1e-9;
+    constexpr double Slack_rad = 1e-6; // boards keep angles in single precision
     const PlacementAngles& first = model.placement[1];
     return std::abs(first.alpha_rad) + std::abs(first.beta_rad) + std::abs(first.gamma_rad - 0.25 * Pi) <
            Slack_rad;

@@ -61,10 +61,12 @@ MAY_INCLUDE = {
     "app/workspaces": "control/base, analysis, law, design, signals, history; devices; devices/recording, acquisition, formats, open; "
                       "widgets/theme, language, raster, controls, log, parameters, figure, live_plot, spectrogram, actuators; "
                       "app/procedures, documents, recordings, tuning, figures, workbench",
+    "app/workspaces/actuators": "control/base; models/spherical; devices; widgets/theme, language, controls; "
+                                "app/actuators, analyses, workbench, workspaces",
     "app/wizards": "control/base; devices; widgets/theme, language, controls, figure, actuators; "
                    "app/procedures, actuators, documents, tuning, figures, workbench, workspaces",
     "app/window": "control/base; devices/history, open; widgets/theme, language, controls; "
-                  "app/procedures, documents, recordings, headless, workbench, workspaces, wizards",
+                  "app/procedures, documents, recordings, headless, workbench, workspaces, workspaces/actuators, wizards",
     "app/program": "app/headless, cli, window",
 }
 

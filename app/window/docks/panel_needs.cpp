@@ -31,7 +31,7 @@ bool isMet(PanelNeed need, const devices::DeviceInfo& info, const devices::Catal
 QSet<QString> absentPanels(const devices::DeviceInfo& info, const devices::Catalogue& catalogue) {
     QSet<QString> absent;
     for (const PanelSpec& spec : panelSpecs()) {
-        if (!isMet(spec.need, info, catalogue)) {
+        if (!isMet(spec.need, info, catalogue) || (spec.isMadeFor && !spec.isMadeFor(catalogue))) {
             absent.insert(spec.id);
         }
     }

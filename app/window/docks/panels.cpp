@@ -4,6 +4,7 @@
 #include "app/wizards/frequency_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/wizards/relay_panel.h"
+#include "app/workspaces/actuators/registry/actuator_panels.h"
 #include "app/workspaces/analysis/spectrum_panel.h"
 #include "app/workspaces/analysis/xy_panel.h"
 #include "app/workspaces/device/configuration_panel.h"
@@ -101,18 +102,34 @@ constexpr Row Rows[] = {
      make<NotesPanel>},
 };
 
+/// Beside the picture of the actuator.
+PanelSpec ofActuator(const ActuatorPanel& panel) {
+    const auto isMade = [&panel](const devices::Catalogue& catalogue) { return isMadeFor(panel, catalogue); };
+    return {QString::fromStdString(panel.id),
+            words(panel.title),
+            PanelArea::Centre,
+            {Perspective::Field},
+            QString::fromLatin1(panel.helpAddress),
+            PanelNeed::Nothing,
+            isMade,
+            panel.make};
+}
+
 } // namespace
 
 std::vector<PanelSpec> panelSpecs() {
     std::vector<PanelSpec> specs;
     for (const Row& row : Rows) {
-        PanelSpec spec{row.id, words(row.title), row.area, {}, row.helpAddress, row.need, row.make};
+        PanelSpec spec{row.id, words(row.title), row.area, {}, row.helpAddress, row.need, {}, row.make};
         for (const Perspective perspective : AllPerspectives) {
             if ((row.perspectives & in(perspective)) != 0) {
                 spec.perspectives.push_back(perspective);
             }
         }
         specs.push_back(std::move(spec));
+    }
+    for (const ActuatorPanel& panel : actuatorPanels()) {
+        specs.push_back(ofActuator(panel));
     }
     return specs;
 }

@@ -22,6 +22,7 @@ struct PanelSpec {
     std::vector<Perspective> perspectives;
     QString helpAddress;                 ///< page and section of resources/help, as in English
     PanelNeed need = PanelNeed::Nothing; ///< of the open device; without one every panel is there
+    std::function<bool(const devices::Catalogue&)> isMadeFor; ///< likewise, when given
     std::function<QWidget*(Workbench&)> make;
 };
 

@@ -1,6 +1,7 @@
 #include "app/window/docks/dock_layout.h"
 #include "app/window/docks/panel_needs.h"
 #include "app/window/docks/panels.h"
+#include "app/workspaces/actuators/registry/actuator_panels.h"
 #include "app/workspaces/drive/arm_button.h"
 #include "app/workspaces/drive/mode_box.h"
 #include "devices/simulated/registry/simulated_models.h"
@@ -124,12 +125,16 @@ TEST_F(PanelOfferTest, anOrientationInSpaceHasItsPerspectiveAndNothingToDrive) {
     window->docks().setPerspective(Perspective::Field);
     EXPECT_EQ(window->docks().perspective(), Perspective::Field);
     EXPECT_TRUE(isOpen("field"));
+    EXPECT_TRUE(isOpen("estimators"));
+    disconnect();
+    connectTo("sim:htm");
+    EXPECT_FALSE(window->docks().isOffered("estimators"));
 }
 
 TEST_F(PanelOfferTest, theNextDeviceFindsThePanelsAsTheyWereLeft) {
     open();
     connectTo("sim:htm");
-    ASSERT_EQ(offered().size(), static_cast<int>(panelSpecs().size()));
+    ASSERT_EQ(offered().size(), static_cast<int>(panelSpecs().size() - actuatorPanels().size()));
     window->docks().raise("parameters");
     window->docks().raise("drive");
     window->docks().raise("log");

@@ -62,7 +62,8 @@ constexpr PanelPlace Places[] = {{"devices", "monitor.md", "Devices"},
                                  {"derived", "monitor.md", "Derived signals"},
                                  {"monitor2", "monitor.md", "Further monitors"},
                                  {"monitor3", "monitor.md", "Further monitors"},
-                                 {"notes", "projects.md", ""}};
+                                 {"notes", "projects.md", ""},
+                                 {"estimators", "monitor.md", "Estimators"}};
 
 TEST_F(HelpWindowTest, everyPanelsHelpIsTheSameSectionInEveryLanguage) {
     for (const Language& language : languages()) {

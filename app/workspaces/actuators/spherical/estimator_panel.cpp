@@ -1,0 +1,278 @@
+#include "app/workspaces/actuators/spherical/estimator_panel.h"
+
+#include "app/workspaces/actuators/spherical/board_sensors.h"
+#include "app/workspaces/parts/compact_table.h"
+#include "app/workspaces/parts/field_grid.h"
+#include "control/base/units.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/progress_row.h"
+#include "widgets/controls/quantity_edit.h"
+#include "widgets/language/display_units.h"
+#include "widgets/language/phrasebook.h"
+#include "widgets/language/whole_numbers.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <chrono>
+#include <cmath>
+
+namespace halbench::app {
+
+namespace {
+
+constexpr int GridColumns = 3;
+constexpr int Tick_ms = 100;
+constexpr int Digits = 3;
+constexpr int TimeDecimals = 2;
+enum Column { Name, Rms, Worst, Shaft, Failures, Time, Columns };
+
+/// In the order of EstimatorKind.
+QString estimatorWords(models::EstimatorKind kind) {
+    switch (kind) {
+    case models::EstimatorKind::Tensor:
+        return EstimatorPanel::tr("Tensor");
+    case models::EstimatorKind::Projector:
+        return EstimatorPanel::tr("Projector");
+    case models::EstimatorKind::Refined:
+        return EstimatorPanel::tr("Projector + Gauss-Newton step");
+    case models::EstimatorKind::LevenbergMarquardt:
+        return EstimatorPanel::tr("Levenberg-Marquardt");
+    case models::EstimatorKind::Closed:
+        return EstimatorPanel::tr("Closed form, additive model");
+    case models::EstimatorKind::ClosedFitted:
+        return EstimatorPanel::tr("Closed form + least squares");
+    case models::EstimatorKind::Swarm:
+        return EstimatorPanel::tr("Particle swarm, additive model");
+    }
+    return {};
+}
+
+double steadyTime_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+} // namespace
+
+EstimatorPanel::EstimatorPanel(Workbench& bench, StopWatch now_s, QWidget* parent)
+    : QWidget(parent), m_bench(bench), m_now_s(std::move(now_s)) {
+    QVBoxLayout* column = makePanelColumn(this);
+    m_words = makeNote(this);
+    m_words->setAccessibleName(tr("Sensors of the comparison"));
+    column->addWidget(m_words);
+    buildFields(*column);
+    m_message = new widgets::MessageBar(this);
+    column->addWidget(m_message);
+    buildTable();
+    column->addWidget(m_table, 1);
+    auto* note = makeNote(this);
+    note->setText(
+        tr("Errors are measured to the nearest of the four orientations with the same field. The time "
+           "is that of one thread of this computer."));
+    column->addWidget(note);
+    connect(&m_bench, &Workbench::deviceChanged, this, &EstimatorPanel::onDevice);
+    connect(&m_bench, &Workbench::valuesChanged, this, &EstimatorPanel::onDevice);
+    connect(&m_tick, &QTimer::timeout, this, [this] {
+        if (m_progress != nullptr && !m_progress->isCancelled) {
+            m_running->setProgress(m_progress->progress);
+        }
+    });
+    onDevice();
+}
+
+EstimatorPanel::~EstimatorPanel() {
+    if (m_progress != nullptr) {
+        m_progress->isCancelled = true;
+    }
+}
+
+void EstimatorPanel::buildFields(QBoxLayout& column) {
+    auto* grid = new FieldGrid(GridColumns, this);
+    m_device = grid->addBox(tr("Readings from"), tr("Model that makes the readings of the sensors"),
+                            {tr("Physical field"), tr("Additive model")});
+    m_count = grid->addNumber(
+        {tr("Poses"), tr("Number of random poses in the workspace"), {}, 0, 10.0, 1e6, 1000.0});
+    m_count->setQuantity(2000.0);
+    m_noise = grid->addNumber({tr("Noise"), tr("Noise of each reading, rms; at first that of the board"),
+                               QStringLiteral("µT"), 1, 0.0, 1e5, 10.0});
+    m_failure = grid->addNumber({tr("Failure above"), tr("A pose with a larger error has failed"),
+                                 QStringLiteral("°"), 3, 0.001, 180.0, 0.1});
+    m_failure->setQuantity(0.1);
+    m_passes = grid->addNumber({tr("Harmonic passes"),
+                                tr("How often the board's harmonics are corrected; 0: never"),
+                                {},
+                                0,
+                                0.0,
+                                20.0,
+                                1.0});
+    m_passes->setQuantity(4.0);
+    m_seed = grid->addNumber(
+        {tr("Seed"), tr("Equal seeds give equal poses and noise"), {}, 0, 0.0, 4294967295.0, 1.0});
+    m_seed->setQuantity(1.0);
+    connect(m_noise, &widgets::QuantityEdit::edited, this, [this] { m_isNoiseOfBoard = false; });
+    column.addWidget(grid);
+    m_compare =
+        makeButton({tr("Co&mpare estimators"), tr("Estimate all poses with each of them (Alt+M)"), {}}, this);
+    connect(m_compare, &QPushButton::clicked, this, &EstimatorPanel::start);
+    m_running = new widgets::ProgressRow(this);
+    m_running->setText(tr("Comparing the estimators"));
+    m_running->hide();
+    connect(m_running, &widgets::ProgressRow::cancelRequested, this, &EstimatorPanel::cancel);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_compare);
+    row->addWidget(m_running, 1);
+    row->addStretch();
+    column.addLayout(row);
+}
+
+void EstimatorPanel::buildTable() {
+    m_table = new QTableWidget(0, Columns, this);
+    m_table->setAccessibleName(tr("Estimators compared"));
+    m_table->setHorizontalHeaderLabels({tr("Estimator"), tr("rms error [°]"), tr("Largest error [°]"),
+                                        tr("Shaft, rms [°]"), tr("Failures"), tr("Time per pose [µs]")});
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setTabKeyNavigation(false);
+    m_table->setItemDelegate(new widgets::WholeNumbers(m_table));
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->verticalHeader()->hide();
+    setCompact(*m_table);
+}
+
+bool EstimatorPanel::hasDevice() const {
+    const DeviceSession& session = m_bench.session();
+    return session.state() == SessionState::Connected && !m_bench.deviceValues().empty() &&
+           isMadeFor(estimatorActuatorPanel(), session.catalogue());
+}
+
+/// The figures of another device are not shown beside its sensors.
+void EstimatorPanel::onDevice() {
+    const bool isThere = hasDevice();
+    const SensingBoard board = boardSensors(m_bench);
+    const QString words = isThere
+                              ? sensorsInWords(board)
+                              : tr("Compares orientation estimators on random poses. Connect a device that "
+                                   "measures the field of a rotor in space, or play a recording of one.");
+    if (isThere && words != m_words->text()) {
+        cancel();
+        m_message->clear();
+        m_table->setRowCount(0);
+        m_isNoiseOfBoard = true;
+    }
+    if (isThere && m_isNoiseOfBoard) {
+        m_noise->setQuantity(1e6 * board.deviation_T);
+    }
+    m_words->setText(words);
+    refresh();
+}
+
+EstimatorComparisonConfig EstimatorPanel::config() const {
+    const SensingBoard board = boardSensors(m_bench);
+    EstimatorComparisonConfig config;
+    config.device = static_cast<models::SphericalDevice>(m_device->currentIndex());
+    config.sensing = sensingOf(board);
+    config.additive = {board.calibration.field.strength_T, board.placement};
+    config.count = static_cast<int>(std::lround(m_count->value()));
+    config.passes = static_cast<int>(std::lround(m_passes->value()));
+    config.noise_T = m_noise->value() / 1e6;
+    config.failureLimit_rad = degreesToRadians(m_failure->value());
+    config.seed = static_cast<std::uint64_t>(m_seed->value());
+    return config;
+}
+
+void EstimatorPanel::start() {
+    m_message->clear();
+    m_progress = std::make_shared<Running>();
+    m_task.run(
+        [config = config(), running = m_progress, now_s = m_now_s] {
+            const AnalysisControl control{[running] { return running->isCancelled.load(); },
+                                          [running](double share) { running->progress = share; }};
+            return compareEstimators(config, control, now_s);
+        },
+        [this](const Result<EstimatorComparison>& comparison) { take(comparison); });
+    m_running->setProgress(0.0);
+    m_tick.start(Tick_ms);
+    refresh();
+    m_running->setFocus();
+}
+
+void EstimatorPanel::cancel() {
+    if (m_progress != nullptr) {
+        m_progress->isCancelled = true;
+        m_running->setCancelling();
+    }
+}
+
+void EstimatorPanel::take(const Result<EstimatorComparison>& comparison) {
+    const bool wasFocused = m_running->isAncestorOf(focusWidget());
+    const bool wasCancelled = m_progress != nullptr && m_progress->isCancelled;
+    m_tick.stop();
+    m_progress.reset();
+    refresh();
+    if (wasFocused) {
+        m_compare->setFocus();
+    }
+    if (comparison && !wasCancelled) {
+        showComparison(*comparison);
+    } else if (wasCancelled) {
+        m_message->showMessage({widgets::Severity::Information, tr("The comparison was cancelled."), {}, {}});
+    } else {
+        m_message->showMessage({widgets::Severity::Error,
+                                widgets::inWords(comparison.error().message),
+                                widgets::inWords(comparison.error().hint),
+                                {}});
+    }
+}
+
+void EstimatorPanel::showComparison(const EstimatorComparison& comparison) {
+    m_table->setRowCount(static_cast<int>(comparison.estimators.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        showRow(row, comparison.estimators[static_cast<std::size_t>(row)]);
+    }
+}
+
+void EstimatorPanel::showRow(int row, const ComparedEstimator& estimator) {
+    const QString none = QStringLiteral("–");
+    const auto degrees = [&](double angle_rad) {
+        return estimator.estimated > 0 ? widgets::numberText(radiansToDegrees(angle_rad), Digits) : none;
+    };
+    const models::EstimatorErrors errors = estimator.errors.value_or(models::EstimatorErrors{});
+    const QString failures = estimator.errors
+                                 ? tr("%1 of %2")
+                                       .arg(widgets::countText(static_cast<quint64>(errors.failures)),
+                                            widgets::countText(static_cast<quint64>(errors.poses)))
+                                 : tr("not usable");
+    const QString texts[] = {
+        estimatorWords(estimator.kind),
+        degrees(errors.rms_rad),
+        degrees(errors.worst_rad),
+        degrees(estimator.shaftRms_rad),
+        failures,
+        estimator.timePerPose_s ? widgets::fixedText(1e6 * *estimator.timePerPose_s, TimeDecimals) : none};
+    for (int column = 0; column < Columns; ++column) {
+        auto* cell = new QTableWidgetItem(texts[column]);
+        cell->setTextAlignment(
+            static_cast<int>((column == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter));
+        cell->setToolTip(widgets::inWords(estimator.reason));
+        m_table->setItem(row, column, cell);
+    }
+}
+
+void EstimatorPanel::refresh() {
+    m_running->setVisible(m_progress != nullptr);
+    m_compare->setVisible(m_progress == nullptr);
+    m_compare->setEnabled(hasDevice());
+}
+
+ActuatorPanel estimatorActuatorPanel() {
+    return {"estimators", QT_TRANSLATE_NOOP("Panels", "Estimators"), "monitor.md#estimators",
+            boardSensorRoles(),
+            [](Workbench& bench) -> QWidget* { return new EstimatorPanel(bench, steadyTime_s); }};
+}
+
+} // namespace halbench::app

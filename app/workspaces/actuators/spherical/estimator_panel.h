@@ -1,0 +1,76 @@
+#pragma once
+
+#include "app/analyses/spherical/estimator_comparison.h"
+#include "app/workbench/latest_task.h"
+#include "app/workspaces/actuators/actuator_panel.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <atomic>
+#include <memory>
+
+class QBoxLayout;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace halbench::widgets {
+class MessageBar;
+class ProgressRow;
+class QuantityEdit;
+} // namespace halbench::widgets
+
+namespace halbench::app {
+
+/// Compares all orientation estimators on the same random poses, for the sensors of the connected device or
+/// of the recording that is played (resources/help/monitor.md, "Estimators"). Computes on a thread of its
+/// own. Thread: GUI.
+class EstimatorPanel : public QWidget {
+    Q_OBJECT
+public:
+    EstimatorPanel(Workbench& bench, StopWatch now_s, QWidget* parent = nullptr);
+    ~EstimatorPanel() override;
+
+private:
+    /// Of the thread that computes.
+    struct Running {
+        std::atomic<bool> isCancelled = false;
+        std::atomic<double> progress = 0.0;
+    };
+
+    void buildFields(QBoxLayout& column);
+    void buildTable();
+    void onDevice();
+    EstimatorComparisonConfig config() const;
+    void start();
+    void cancel();
+    void take(const Result<EstimatorComparison>& comparison);
+    void showComparison(const EstimatorComparison& comparison);
+    void showRow(int row, const ComparedEstimator& estimator);
+    void refresh();
+    bool hasDevice() const;
+
+    Workbench& m_bench;
+    StopWatch m_now_s;
+    QLabel* m_words = nullptr;
+    QComboBox* m_device = nullptr;
+    widgets::QuantityEdit* m_count = nullptr;
+    widgets::QuantityEdit* m_noise = nullptr;
+    widgets::QuantityEdit* m_failure = nullptr;
+    widgets::QuantityEdit* m_passes = nullptr;
+    widgets::QuantityEdit* m_seed = nullptr;
+    QPushButton* m_compare = nullptr;
+    widgets::ProgressRow* m_running = nullptr;
+    widgets::MessageBar* m_message = nullptr;
+    QTableWidget* m_table = nullptr;
+    QTimer m_tick;
+    bool m_isNoiseOfBoard = false;       ///< until the user writes another
+    std::shared_ptr<Running> m_progress; ///< while it computes
+    LatestTask m_task;                   ///< last: what it computes ends first
+};
+
+ActuatorPanel estimatorActuatorPanel();
+
+} // namespace halbench::app
