@@ -33,7 +33,7 @@ typedef struct {
 #if HB_LAW_WEIGHTS
     float reference_weight, derivative_reference_weight, derivative_filter_s;
 #endif
-    float limit;      /* largest effort */
+    float limit; /* largest effort */
     float window_position,
         window_speed; /* from where the mode began, and of either sign: beyond is a fault */
 } hb_axis_settings;
