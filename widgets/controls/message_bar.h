@@ -14,7 +14,7 @@ class ElidedLabel;
 
 enum class Severity { Information, Success, Warning, Error };
 
-/// What went wrong, where it belongs: one sentence, the remedy, and the remedy as a button if there is one.
+/// Message in place: one sentence, the remedy, and the remedy as a button if there is one.
 struct Message {
     Severity severity = Severity::Information;
     QString text;

@@ -35,7 +35,7 @@ std::string targetOf(const devices::AxisSpec& axis);
 AxisPlan axisPlan(const devices::AxisSpec& axis, double window, double speedWindow);
 double durationOf(const AxisPlan& plan);
 
-/// What was recorded of several axes that moved one after the other.
+/// Recorded motion of several axes that moved one after the other.
 struct AxesMotion {
     std::vector<AxisRows> axes; ///< of each plan, from the first to the last row
     Recording recording;

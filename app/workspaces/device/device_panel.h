@@ -23,7 +23,7 @@ class MessageBar;
 
 namespace halbench::app {
 
-/// What can be connected, the address in use, the speed of simulated time, and what the device says it is.
+/// Devices that can be connected, the address in use, and the identity that the connected one states.
 class DevicePanel : public QWidget {
     Q_OBJECT
 

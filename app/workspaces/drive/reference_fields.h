@@ -24,7 +24,7 @@ struct ReferenceRange {
     int decimals;
 };
 
-/// What is said of a field and what it may be; words in the translator's context of ReferenceForm.
+/// Texts and limits of a field; words in the translator's context of ReferenceForm.
 struct ReferenceFieldSpec {
     ReferenceField field;
     const char* title;

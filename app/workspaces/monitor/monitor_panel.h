@@ -33,7 +33,7 @@ class MonitorTrigger;
 class RecordedMarkers;
 class SignalBox;
 
-/// What the device does, over time, in stacked plots (resources/help/monitor.md, "Plots"). A further one
+/// Stacked plots of the signals over time (resources/help/monitor.md, "Plots"). A further one
 /// beside the first has plots and a time axis of its own on the same samples; the trigger, the live rate,
 /// derived signals and cursors of a project are the first one's. All have the same markers, once they are
 /// connected to each other; the first one keeps them in recordings.
