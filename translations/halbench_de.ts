@@ -9135,14 +9135,6 @@
         <translation>bekannt ist m (bewegte Masse einer Achse, kg)</translation>
     </message>
     <message>
-        <source>m is not a finite number</source>
-        <translation>m ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>m = {} must be positive</source>
-        <translation>m = {} muss positiv sein</translation>
-    </message>
-    <message>
         <source>leave them out; this device takes an axis and a given m</source>
         <translation>weglassen; dieses Gerät nimmt eine Achse und eine Masse m</translation>
     </message>

@@ -9135,14 +9135,6 @@
         <translation>已知的是 m（轴的运动质量，kg）</translation>
     </message>
     <message>
-        <source>m is not a finite number</source>
-        <translation>m 不是有限数</translation>
-    </message>
-    <message>
-        <source>m = {} must be positive</source>
-        <translation>m = {} 必须为正</translation>
-    </message>
-    <message>
         <source>leave them out; this device takes an axis and a given m</source>
         <translation>请省略；此设备接受轴和给定的 m</translation>
     </message>

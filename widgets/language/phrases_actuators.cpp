@@ -69,7 +69,6 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Nothing to do unless absolute positions matter."),
     QT_TRANSLATE_NOOP("Phrases", "the platen has no constant '{}'"),
     QT_TRANSLATE_NOOP("Phrases", "known are m (kg) and Iz (kg*m^2)"),
-    QT_TRANSLATE_NOOP("Phrases", "{} = {} must be positive"),
     QT_TRANSLATE_NOOP("Phrases", "leave them out; this device takes an axis and a given m or Iz"),
     QT_TRANSLATE_NOOP("Phrases", "one given constant is enough: m or Iz"),
     QT_TRANSLATE_NOOP("Phrases", "give the one that is known better; the other is then measured"),

@@ -1,14 +1,10 @@
 #include "app/procedures/identify/axes_procedure.h"
 
-#include "app/procedures/base/axis_choice.h"
-#include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
-#include "app/procedures/base/restored_result.h"
 #include "app/procedures/identify/axes_estimate.h"
+#include "app/procedures/identify/axes_run.h"
 
 #include <fmt/format.h>
-
-#include <cmath>
 
 namespace halbench::app {
 namespace {
@@ -18,33 +14,15 @@ Result<void> setMass(IdentifyConfig& config, std::string_view symbol, double val
         return failure(ErrorCode::UnknownName, fmt::format("this device has no constant '{}'", symbol),
                        "known is m (moving mass of an axis, kg)");
     }
-    if (!std::isfinite(value)) {
-        return failure(ErrorCode::NotFinite, "m is not a finite number", {});
-    }
-    if (value <= 0.0) {
-        return failure(ErrorCode::OutOfRange, fmt::format("m = {} must be positive", value), {});
+    if (const auto valid = checkGivenInertia(symbol, value); !valid) {
+        return valid;
     }
     config.constants = {{"m", value}};
     return {};
 }
 
-bool hasMotorOptions(const IdentifyConfig& config) {
-    const IdentifyConfig plain;
-    return config.added || config.directions != plain.directions ||
-           config.sweep.from_A != plain.sweep.from_A || config.sweep.to_A != plain.sweep.to_A ||
-           config.sweep.step_A != plain.sweep.step_A || config.speedLimit_rad_s != plain.speedLimit_rad_s ||
-           config.usableSpeed_rad_s != plain.usableSpeed_rad_s;
-}
-
 Result<void> check(const devices::Catalogue& catalogue, const IdentifyConfig& config) {
-    if (const auto axes = chosenAxes(catalogue, config.axis); !axes) {
-        return failure(axes.error());
-    }
-    if (hasMotorOptions(config)) {
-        return failure(ErrorCode::Usage, "a sweep of currents, directions or added inertia are for a motor",
-                       "leave them out; this device takes an axis and a given m");
-    }
-    return {};
+    return checkAxesOptions(catalogue, config, "leave them out; this device takes an axis and a given m");
 }
 
 IdentifyPrediction predict(const IdentifyConfig&, double start_degC) {
@@ -71,8 +49,9 @@ AxesIdentifyResult estimateFrom(AxesMotion motion, const std::vector<AxisPlan>& 
 }
 
 Result<AxesIdentifyResult> measure(devices::Device& device, const IdentifyConfig& config,
-                                   const ProcedureObserver& observer, const MeasuredTiming& timing) {
-    const auto plans = axisPlans(device, *chosenAxes(device.catalogue(), config.axis)); // checked before
+                                   const ProcedureObserver& observer,
+                                   const std::vector<devices::AxisSpec>& axes, const MeasuredTiming& timing) {
+    const auto plans = axisPlans(device, axes);
     if (!plans) {
         return failure(plans.error());
     }
@@ -90,36 +69,22 @@ Result<AxesIdentifyResult> measure(devices::Device& device, const IdentifyConfig
     return result;
 }
 
-Result<IdentifyOutcome> identify(devices::Device& device, const IdentifyConfig& config,
-                                 const ProcedureObserver& observer) {
-    if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
-        return failure(offered.error());
-    }
-    if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
-        return failure(entered.error());
-    }
-    if (auto checked = check(device.catalogue(), config); !checked) {
-        return failure(checked.error());
-    }
-    std::vector<std::string> others;
-    for (const devices::AxisSpec& axis : device.catalogue().axes) {
+/// Generators, and what sends them to the law.
+std::vector<std::string> generatorsOf(const devices::Catalogue& catalogue) {
+    std::vector<std::string> names;
+    for (const devices::AxisSpec& axis : catalogue.axes) {
         for (const std::string& name : {targetOf(axis), axis.generator + ".shape"}) {
-            if (device.catalogue().findParameter(name) != nullptr) {
-                others.push_back(name);
+            if (catalogue.findParameter(name) != nullptr) {
+                names.push_back(name);
             }
         }
     }
-    auto guard = RestoreGuard::take(device, others);
-    if (!guard) {
-        return failure(guard.error());
-    }
-    const MeasuredTiming timing = timingOf(device.catalogue(), guard->snapshot());
-    auto result = restoredResult(*guard, measure(device, config, observer, timing));
-    const auto entered = enterState(observer, result ? ProcedureState::Done : ProcedureState::Restored);
-    if (!result || !entered) {
-        return failure(result ? entered.error() : result.error());
-    }
-    return IdentifyOutcome(*std::move(result));
+    return names;
+}
+
+Result<IdentifyOutcome> identify(devices::Device& device, const IdentifyConfig& config,
+                                 const ProcedureObserver& observer) {
+    return runAxes({check, generatorsOf, measure}, device, config, observer);
 }
 
 } // namespace
