@@ -2075,10 +2075,6 @@
         <translation>das Gerät meldet weder seine Firmware noch die Kennung seiner Beschreibung: Ob sie zusammenpassen, ist unbekannt</translation>
     </message>
     <message>
-        <source>correct the line; see resources/help/projects.md and command-line.md</source>
-        <translation>Zeile berichtigen; siehe resources/help/projects.md und command-line.md</translation>
-    </message>
-    <message>
         <source>at most {} can be read; write parts with --from and --to</source>
         <translation>höchstens {} sind lesbar; Teile mit --from und --to schreiben</translation>
     </message>
@@ -9082,6 +9078,130 @@
         <source>check the sensors and their cables, and measure again</source>
         <translation>Die Sensoren und ihre Kabel prüfen und noch einmal messen</translation>
     </message>
+    <message>
+        <source>correct the line or open an earlier copy; the help shows the form of the files</source>
+        <translation>die Zeile berichtigen oder eine frühere Fassung öffnen; die Hilfe zeigt die Form der Dateien</translation>
+    </message>
+    <message>
+        <source>the sensors of this device need no calibration</source>
+        <translation>die Sensoren dieses Geräts brauchen keine Kalibrierung</translation>
+    </message>
+    <message>
+        <source>use identify or record</source>
+        <translation>Identifizieren oder Aufzeichnen verwenden</translation>
+    </message>
+    <message>
+        <source>force per effort</source>
+        <translation>Kraft je Stellgröße</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{} von {}</translation>
+    </message>
+    <message>
+        <source>The motion does not excite the axis enough: check that nothing holds it.</source>
+        <translation>Die Bewegung regt die Achse zu wenig an: Prüfen, dass nichts sie festhält.</translation>
+    </message>
+    <message>
+        <source>axis {}: damping, friction and effort leave {} % of the acceleration unexplained</source>
+        <translation>Achse {}: Dämpfung, Reibung und Stellgröße erklären {} % der Beschleunigung nicht</translation>
+    </message>
+    <message>
+        <source>The axis has a force that depends on the position, or another axis acts on it.</source>
+        <translation>Auf die Achse wirkt eine Kraft, die von der Position abhängt, oder eine andere Achse.</translation>
+    </message>
+    <message>
+        <source>Design with the upper bound, or identify again with a wider window.</source>
+        <translation>Mit der oberen Grenze auslegen oder mit einem weiteren Fenster erneut identifizieren.</translation>
+    </message>
+    <message>
+        <source>Nothing to do where the axis has none.</source>
+        <translation>Nichts zu tun, wenn die Achse keine hat.</translation>
+    </message>
+    <message>
+        <source>axis {}: {} of {} windows of the motion miss rows</source>
+        <translation>Achse {}: {} von {} Fenstern der Bewegung fehlen Zeilen</translation>
+    </message>
+    <message>
+        <source>only ratios follow from the motion: damping, friction and force have no absolute value</source>
+        <translation>Aus der Bewegung folgen nur Verhältnisse: Dämpfung, Reibung und Kraft haben keinen absoluten Wert</translation>
+    </message>
+    <message>
+        <source>Weigh a slide and give its mass: --given m=0.2, in an experiment given = { m = 0.2 }.</source>
+        <translation>Einen Schlitten wiegen und seine Masse angeben: --given m=0.2, in einem Experiment given = { m = 0.2 }.</translation>
+    </message>
+    <message>
+        <source>this device has no constant &apos;{}&apos;</source>
+        <translation>dieses Gerät hat keine Konstante &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>known is m (moving mass of an axis, kg)</source>
+        <translation>bekannt ist m (bewegte Masse einer Achse, kg)</translation>
+    </message>
+    <message>
+        <source>leave them out; this device takes an axis and a given m</source>
+        <translation>weglassen; dieses Gerät nimmt eine Achse und eine Masse m</translation>
+    </message>
+    <message>
+        <source>Check that nothing holds the axis, and that it follows its reference.</source>
+        <translation>Prüfen, dass nichts die Achse festhält und dass sie ihrem Sollwert folgt.</translation>
+    </message>
+    <message>
+        <source>only {} of {} stretches of {} s in steady motion</source>
+        <translation>nur {} von {} Abschnitten von {} s in stetiger Bewegung</translation>
+    </message>
+    <message>
+        <source>the axis moved one way only</source>
+        <translation>die Achse bewegte sich nur nach einer Seite</translation>
+    </message>
+    <message>
+        <source>the effort shows no effect on the motion within 8 rows</source>
+        <translation>die Stellgröße zeigt innerhalb von 8 Zeilen keine Wirkung auf die Bewegung</translation>
+    </message>
+    <message>
+        <source>the delay of the effort is not decided by the motion</source>
+        <translation>die Verzögerung der Stellgröße ist aus der Bewegung nicht bestimmbar</translation>
+    </message>
+    <message>
+        <source>runs with a sine on its speed</source>
+        <translation>fährt mit einem Sinus auf der Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>goes to its place</source>
+        <translation>fährt an seinen Platz</translation>
+    </message>
+    <message>
+        <source>axis {} {}</source>
+        <translation>Achse {} {}</translation>
+    </message>
+    <message>
+        <source>the device lacks position or effort of axis {}</source>
+        <translation>dem Gerät fehlt Position oder Stellgröße der Achse {}</translation>
+    </message>
+    <message>
+        <source>Its profile needs both roles.</source>
+        <translation>Sein Profil braucht beide Rollen.</translation>
+    </message>
+    <message>
+        <source>axis {}: damping changes with the speed, the intervals do not include it</source>
+        <translation>Achse {}: Dämpfung ändert sich mit der Geschwindigkeit, die Intervalle enthalten das nicht</translation>
+    </message>
+    <message>
+        <source>Use the values near the speeds of the motion only; look for drag, or friction that grows with the speed.</source>
+        <translation>Werte nur nahe den Geschwindigkeiten der Bewegung verwenden; nach Luftwiderstand suchen oder nach Reibung, die mit der Geschwindigkeit wächst.</translation>
+    </message>
+    <message>
+        <source>axis {}: negative friction, not possible</source>
+        <translation>Achse {}: negative Reibung, nicht möglich</translation>
+    </message>
+    <message>
+        <source>axis {}: negative damping, not possible</source>
+        <translation>Achse {}: negative Dämpfung, nicht möglich</translation>
+    </message>
+    <message>
+        <source>The axis has a force that the model lacks, or position and effort are shifted in time.</source>
+        <translation>Auf die Achse wirkt eine Kraft, die dem Modell fehlt, oder Position und Stellgröße sind zeitlich verschoben.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -9646,20 +9766,8 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
         <translation>Alle Geräteeinstellungen in einer Datei speichern</translation>
     </message>
     <message>
-        <source>Save settings …</source>
-        <translation>Einstellungen speichern …</translation>
-    </message>
-    <message>
-        <source>Compare with …</source>
-        <translation>Vergleichen mit …</translation>
-    </message>
-    <message>
         <source>No configuration file is open</source>
         <translation>Keine Konfigurationsdatei ist offen</translation>
-    </message>
-    <message>
-        <source>Compare with a file …</source>
-        <translation>Mit einer Datei vergleichen …</translation>
     </message>
     <message>
         <source>With &amp;calibration</source>
@@ -9709,6 +9817,18 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
     <message>
         <source>configuration</source>
         <translation>Konfiguration</translation>
+    </message>
+    <message>
+        <source>Save settings…</source>
+        <translation>Einstellungen speichern …</translation>
+    </message>
+    <message>
+        <source>Compare with…</source>
+        <translation>Vergleichen mit …</translation>
+    </message>
+    <message>
+        <source>Compare with a file…</source>
+        <translation>Mit einer Datei vergleichen …</translation>
     </message>
 </context>
 <context>
@@ -9793,10 +9913,6 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
         <translation>Gewähltes Gerät verbinden (Strg+Umschalt+C; Liste: Alt+Ab)</translation>
     </message>
     <message>
-        <source>Close the recording and connect %1 again (Ctrl+Shift+C)</source>
-        <translation>Aufzeichnung schließen und %1 wieder verbinden (Strg+Umschalt+C)</translation>
-    </message>
-    <message>
         <source>Close the recording (Ctrl+Shift+C)</source>
         <translation>Aufzeichnung schließen (Strg+Umschalt+C)</translation>
     </message>
@@ -9815,6 +9931,10 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
     <message>
         <source>Disconnect</source>
         <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Close the recording, back to %1 (Ctrl+Shift+C)</source>
+        <translation>Aufzeichnung schließen, zurück zu %1 (Strg+Umschalt+C)</translation>
     </message>
 </context>
 <context>
@@ -9853,10 +9973,6 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
     <message>
         <source>Unit of the result, e.g. rad, rad/s, T, A, degC; empty: derived from the expression</source>
         <translation>Einheit des Ergebnisses, z. B. rad, rad/s, T, A, degC; leer: aus dem Ausdruck abgeleitet</translation>
-    </message>
-    <message>
-        <source>Signal names in SI units, e.g. current.a^2 + current.b^2; + - * / ^, sin, cos, atan2, sqrt, abs, exp, ln, min, max, pi. Enter adds it</source>
-        <translation>Signalnamen in SI-Einheiten, z. B. current.a^2 + current.b^2; + - * / ^, sin, cos, atan2, sqrt, abs, exp, ln, min, max, pi. Eingabe fügt es hinzu</translation>
     </message>
     <message>
         <source>Name in the signal tree: letters, digits, dots, underscores</source>
@@ -9901,6 +10017,72 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
     <message>
         <source>computed</source>
         <translation>wird berechnet</translation>
+    </message>
+    <message>
+        <source>sine of an angle in rad</source>
+        <translation>Sinus eines Winkels in rad</translation>
+    </message>
+    <message>
+        <source>cosine of an angle in rad</source>
+        <translation>Kosinus eines Winkels in rad</translation>
+    </message>
+    <message>
+        <source>angle of the point (x, y): atan2(y, x)</source>
+        <translation>Winkel des Punktes (x, y): atan2(y, x)</translation>
+    </message>
+    <message>
+        <source>square root</source>
+        <translation>Quadratwurzel</translation>
+    </message>
+    <message>
+        <source>absolute value</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>exponential function</source>
+        <translation>Exponentialfunktion</translation>
+    </message>
+    <message>
+        <source>natural logarithm</source>
+        <translation>natürlicher Logarithmus</translation>
+    </message>
+    <message>
+        <source>smaller of two values</source>
+        <translation>kleinerer von zwei Werten</translation>
+    </message>
+    <message>
+        <source>larger of two values</source>
+        <translation>größerer von zwei Werten</translation>
+    </message>
+    <message>
+        <source>ratio of circumference to diameter</source>
+        <translation>Verhältnis von Umfang zu Durchmesser</translation>
+    </message>
+    <message>
+        <source>Signals in SI units, e.g. current.a^2 (Enter adds it)</source>
+        <translation>Signale in SI-Einheiten, z. B. current.a^2 (Eingabe fügt hinzu)</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Insert a signal or a function into the expression</source>
+        <translation>Signal oder Funktion in den Ausdruck einfügen</translation>
+    </message>
+    <message>
+        <source>No derived signals yet. Example: name power, expression current.a^2 + current.b^2.
+Type a part of a signal&apos;s name to choose it, or drag it here from the signals.</source>
+        <translation>Noch keine abgeleiteten Signale. Beispiel: Name power, Ausdruck current.a^2 + current.b^2.
+Einen Teil des Signalnamens eingeben und wählen, oder das Signal aus der Liste hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>Funktion</translation>
     </message>
 </context>
 <context>
@@ -10096,16 +10278,8 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
         <translation>nicht angegeben</translation>
     </message>
     <message>
-        <source>Connection lost. Reconnecting to %1 …</source>
-        <translation>Verbindung verloren. Verbindung zu %1 wird wiederhergestellt …</translation>
-    </message>
-    <message>
         <source>Stop searching for the device (Alt+C)</source>
         <translation>Suche nach dem Gerät beenden (Alt+C)</translation>
-    </message>
-    <message>
-        <source>Stopping and disarming …</source>
-        <translation>Wird gestoppt und gesperrt …</translation>
     </message>
     <message>
         <source>Stop, disarm and disconnect (Alt+C)</source>
@@ -10181,6 +10355,22 @@ Firmware %2</translation>
         <source>Description file…</source>
         <translation>Beschreibungsdatei …</translation>
     </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>Close the recording, back to %1 (Alt+B)</source>
+        <translation>Aufzeichnung schließen, zurück zu %1 (Alt+Z)</translation>
+    </message>
+    <message>
+        <source>Stopping and disarming…</source>
+        <translation>Stoppt und sperrt …</translation>
+    </message>
+    <message>
+        <source>Connection lost. Reconnecting to %1…</source>
+        <translation>Verbindung verloren. Verbindet erneut mit %1 …</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -10234,6 +10424,10 @@ Firmware %2</translation>
     <message>
         <source>stop</source>
         <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>back to %1</source>
+        <translation>zurück zu %1</translation>
     </message>
 </context>
 <context>
@@ -10381,6 +10575,142 @@ Firmware %2</translation>
     <message>
         <source>rev/s</source>
         <translation>U/s</translation>
+    </message>
+    <message>
+        <source>Lift force</source>
+        <translation>Hubkraft</translation>
+    </message>
+    <message>
+        <source>Chi-square</source>
+        <translation>Chi-Quadrat</translation>
+    </message>
+    <message>
+        <source>Squared innovation</source>
+        <translation>Innovationsquadrat</translation>
+    </message>
+    <message>
+        <source>Current scale</source>
+        <translation>Stromskalierung</translation>
+    </message>
+    <message>
+        <source>Cell x</source>
+        <translation>Zelle x</translation>
+    </message>
+    <message>
+        <source>Cell y</source>
+        <translation>Zelle y</translation>
+    </message>
+    <message>
+        <source>Sensors left out</source>
+        <translation>Ausgelassene Sensoren</translation>
+    </message>
+    <message>
+        <source>Channels left out</source>
+        <translation>Ausgelassene Kanäle</translation>
+    </message>
+    <message>
+        <source>Homed</source>
+        <translation>Referenziert</translation>
+    </message>
+    <message>
+        <source>Field strength</source>
+        <translation>Feldstärke</translation>
+    </message>
+    <message>
+        <source>Expected field strength</source>
+        <translation>Erwartete Feldstärke</translation>
+    </message>
+    <message>
+        <source>Shaft cone (95 %)</source>
+        <translation>Wellenkegel (95 %)</translation>
+    </message>
+    <message>
+        <source>Orientation state</source>
+        <translation>Zustand der Orientierung</translation>
+    </message>
+    <message>
+        <source>Integrity code</source>
+        <translation>Integritätscode</translation>
+    </message>
+    <message>
+        <source>Coil current</source>
+        <translation>Spulenstrom</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>True field strength</source>
+        <translation>Wahre Feldstärke</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>Position %1</translation>
+    </message>
+    <message>
+        <source>Speed %1</source>
+        <translation>Geschwindigkeit %1</translation>
+    </message>
+    <message>
+        <source>Reference %1</source>
+        <translation>Referenz %1</translation>
+    </message>
+    <message>
+        <source>Command %1</source>
+        <translation>Stellbefehl %1</translation>
+    </message>
+    <message>
+        <source>Effort %1</source>
+        <translation>Stellgröße %1</translation>
+    </message>
+    <message>
+        <source>True position %1</source>
+        <translation>Wahre Position %1</translation>
+    </message>
+    <message>
+        <source>True speed %1</source>
+        <translation>Wahre Geschwindigkeit %1</translation>
+    </message>
+    <message>
+        <source>True effort %1</source>
+        <translation>Wahre Stellgröße %1</translation>
+    </message>
+    <message>
+        <source>Orientation %1</source>
+        <translation>Orientierung %1</translation>
+    </message>
+    <message>
+        <source>Shaft %1</source>
+        <translation>Welle %1</translation>
+    </message>
+    <message>
+        <source>True rate %1</source>
+        <translation>Wahre Drehrate %1</translation>
+    </message>
+    <message>
+        <source>True orientation %1</source>
+        <translation>Wahre Orientierung %1</translation>
+    </message>
+    <message>
+        <source>Hall %1</source>
+        <translation>Hall %1</translation>
+    </message>
+    <message>
+        <source>Current %1</source>
+        <translation>Strom %1</translation>
+    </message>
+    <message>
+        <source>Coil %1</source>
+        <translation>Spule %1</translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>Feld %1</translation>
+    </message>
+    <message>
+        <source>Residual %1</source>
+        <translation>Residuum %1</translation>
     </message>
 </context>
 <context>
@@ -10685,10 +11015,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <translation>Ctrl+Shift+E</translation>
     </message>
     <message>
-        <source>Release the stop</source>
-        <translation>Stopp aufheben</translation>
-    </message>
-    <message>
         <source>No device</source>
         <translation>Kein Gerät</translation>
     </message>
@@ -10767,6 +11093,10 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>A motion is running. End it to start another.</source>
         <translation>Eine Bewegung läuft. Beenden Sie sie, um eine andere zu starten.</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Aufheben</translation>
     </message>
 </context>
 <context>
@@ -11525,10 +11855,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <translation>%1 des Geräts</translation>
     </message>
     <message>
-        <source>... full effect from speed</source>
-        <translation>... volle Wirkung ab Drehzahl</translation>
-    </message>
-    <message>
         <source>Enter zero or a positive number</source>
         <translation>Null oder eine positive Zahl eingeben</translation>
     </message>
@@ -11569,14 +11895,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <translation>Reibungshilfe</translation>
     </message>
     <message>
-        <source>... from an error of</source>
-        <translation>... ab einem Fehler von</translation>
-    </message>
-    <message>
-        <source>... below a reference speed of</source>
-        <translation>... unter der Führungsdrehzahl</translation>
-    </message>
-    <message>
         <source>Unit of the gains</source>
         <translation>Einheit der Reglerparameter</translation>
     </message>
@@ -11615,6 +11933,18 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>Form of the gains</source>
         <translation>Form der Reglerparameter</translation>
+    </message>
+    <message>
+        <source>Full friction feed-forward from</source>
+        <translation>Volle Reibungsvorsteuerung ab</translation>
+    </message>
+    <message>
+        <source>Friction assist from an error of</source>
+        <translation>Reibungshilfe ab einem Fehler von</translation>
+    </message>
+    <message>
+        <source>Friction assist below a speed of</source>
+        <translation>Reibungshilfe unter einer Geschwindigkeit von</translation>
     </message>
 </context>
 <context>
@@ -11774,10 +12104,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <translation>Bekannte Dämpfung &amp;c</translation>
     </message>
     <message>
-        <source>Given friction &amp;K_f</source>
-        <translation>Bekannte Reibung &amp;K_f</translation>
-    </message>
-    <message>
         <source>Given torque constant φ</source>
         <translation>Bekannte Drehmomentkonstante φ</translation>
     </message>
@@ -11820,6 +12146,10 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Given friction K&lt;sub&gt;f&lt;/sub&gt;</source>
+        <translation>Bekannte Reibung K&lt;sub&gt;f&lt;/sub&gt;</translation>
     </message>
 </context>
 <context>
@@ -12541,6 +12871,29 @@ mit %1 Zeilen in der Sekunde</translation>
     <message>
         <source>Last message of the log</source>
         <translation>Letzte Meldung des Protokolls</translation>
+    </message>
+    <message>
+        <source>Signals sent to the plots</source>
+        <translation>An die Diagramme gesendete Signale</translation>
+    </message>
+    <message>
+        <source>recording of %1 s</source>
+        <translation>Aufzeichnung von %1 s</translation>
+    </message>
+    <message>
+        <source>no signals</source>
+        <translation>keine Signale</translation>
+    </message>
+    <message>
+        <source>time advances only during a procedure</source>
+        <translation>Zeit läuft nur während eines Ablaufs</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s), %1 Hz, samples lost: %2</source>
+        <translation>
+            <numerusform>%n Signal, %1 Hz, verlorene Messwerte: %2</numerusform>
+            <numerusform>%n Signale, %1 Hz, verlorene Messwerte: %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13342,10 +13695,6 @@ D-Achse: Strom, der den Rotor ohne Drehmoment hält (%1)</translation>
         <translation>Sie werden nicht dargestellt. Das Projekt behält sie, bis Sie die Diagramme ändern.</translation>
     </message>
     <message>
-        <source>Signals sent to the plots</source>
-        <translation>An die Diagramme gesendete Signale</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>Speichern</translation>
     </message>
@@ -13494,17 +13843,6 @@ D-Achse: Strom, der den Rotor ohne Drehmoment hält (%1)</translation>
         <source>Markers not saved: %1</source>
         <translation>Marken nicht gespeichert: %1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n signal(s), %1 Hz, samples lost: %2</source>
-        <translation>
-            <numerusform>%n Signal, %1 Hz, verlorene Messwerte: %2</numerusform>
-            <numerusform>%n Signale, %1 Hz, verlorene Messwerte: %2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>time advances only during a procedure</source>
-        <translation>Zeit läuft nur während eines Ablaufs</translation>
-    </message>
     <message>
         <source>Reading %1</source>
         <translation>%1 wird gelesen</translation>
@@ -13516,14 +13854,6 @@ D-Achse: Strom, der den Rotor ohne Drehmoment hält (%1)</translation>
     <message>
         <source>Cancelled: the plots show the first %1 s of %2 s.</source>
         <translation>Abgebrochen: Die Diagramme zeigen die ersten %1 s von %2 s.</translation>
-    </message>
-    <message>
-        <source>recording of %1 s</source>
-        <translation>Aufzeichnung von %1 s</translation>
-    </message>
-    <message>
-        <source>no signals</source>
-        <translation>keine Signale</translation>
     </message>
 </context>
 <context>
@@ -14619,10 +14949,6 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <translation>OK löscht jetzt nichts aus %1.</translation>
     </message>
     <message>
-        <source>Checking recordings …</source>
-        <translation>Aufzeichnungen werden geprüft …</translation>
-    </message>
-    <message>
         <source>Currently never.</source>
         <translation>Derzeit nie.</translation>
     </message>
@@ -14704,6 +15030,10 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>e.g. %1.csv</source>
         <translation>z. B. %1.csv</translation>
+    </message>
+    <message>
+        <source>Checking recordings…</source>
+        <translation>Prüft Aufzeichnungen …</translation>
     </message>
 </context>
 <context>
@@ -14897,6 +15227,38 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <source>Import</source>
         <translation>Importieren</translation>
     </message>
+    <message>
+        <source>Select a recording to open or replay it.</source>
+        <translation>Zum Öffnen oder Abspielen eine Aufzeichnung wählen.</translation>
+    </message>
+    <message>
+        <source>Several are overlaid below; select one to open it.</source>
+        <translation>Mehrere werden unten überlagert; zum Öffnen eine wählen.</translation>
+    </message>
+    <message>
+        <source>Interrupted: recover it first.</source>
+        <translation>Unterbrochen: zuerst wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>End the current recording first.</source>
+        <translation>Zuerst die laufende Aufzeichnung beenden.</translation>
+    </message>
+    <message>
+        <source>Disarm the device first.</source>
+        <translation>Zuerst das Gerät sperren.</translation>
+    </message>
+    <message>
+        <source>Wait for the end of the procedure.</source>
+        <translation>Das Ende des Ablaufs abwarten.</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>Pfad kopieren</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingsTableModel</name>
@@ -14986,10 +15348,6 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>Constant speed or current added to the shape</source>
         <translation>Konstante Geschwindigkeit oder konstanter Strom, zur Form addiert</translation>
-    </message>
-    <message>
-        <source>Offset (added)</source>
-        <translation>Versatz (addiert)</translation>
     </message>
     <message>
         <source>Phase seed of the multisine; 0: low crest factor</source>
@@ -15094,6 +15452,14 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>Currents (A)</source>
         <translation>Ströme (A)</translation>
+    </message>
+    <message>
+        <source>Offset speed (added)</source>
+        <translation>Zusätzliche Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Offset current (added)</source>
+        <translation>Zusätzlicher Strom</translation>
     </message>
 </context>
 <context>
@@ -15660,6 +16026,14 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>Last</source>
         <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Plot, or remove from the plots</source>
+        <translation>Darstellen oder aus den Diagrammen nehmen</translation>
+    </message>
+    <message>
+        <source>Copy the name for expressions and files</source>
+        <translation>Namen für Ausdrücke und Dateien kopieren</translation>
     </message>
 </context>
 <context>
@@ -16356,10 +16730,6 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <translation>Größte Verstärkung von Störungen; üblich höchstens 2</translation>
     </message>
     <message>
-        <source>rise time %1, overshoot %2, settling time (2 %) %3</source>
-        <translation>Anstiegszeit %1, Überschwingen %2, Einschwingzeit (2 %) %3</translation>
-    </message>
-    <message>
         <source>Sensitivity peak Ms</source>
         <translation>Empfindlichkeitsspitze Ms</translation>
     </message>
@@ -16534,6 +16904,22 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>not predicted</source>
         <translation>nicht vorhergesagt</translation>
+    </message>
+    <message>
+        <source>%1: rise time</source>
+        <translation>%1: Anstiegszeit</translation>
+    </message>
+    <message>
+        <source>%1: overshoot</source>
+        <translation>%1: Überschwingen</translation>
+    </message>
+    <message>
+        <source>%1: settling time (2 %)</source>
+        <translation>%1: Einschwingzeit (2 %)</translation>
+    </message>
+    <message>
+        <source>settled</source>
+        <translation>eingeschwungen</translation>
     </message>
 </context>
 <context>
@@ -19871,6 +20257,86 @@ Hall B
     <message>
         <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
         <translation>Der Rotor wird sich vorwärts mit %1 rad/s (%2 1/min) drehen, etwa %3 Umdrehungen, %4 Minuten Gerätezeit lang.</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>List All Tabs</source>
+        <translation>Alle Reiter anzeigen</translation>
+    </message>
+    <message>
+        <source>Detach Group</source>
+        <translation>Gruppe ablösen</translation>
+    </message>
+    <message>
+        <source>Close Active Tab</source>
+        <translation>Aktiven Reiter schließen</translation>
+    </message>
+    <message>
+        <source>Close Group</source>
+        <translation>Gruppe schließen</translation>
+    </message>
+    <message>
+        <source>Close Tab</source>
+        <translation>Reiter schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ads::CDockAreaTitleBar</name>
+    <message>
+        <source>List All Tabs</source>
+        <translation>Alle Reiter anzeigen</translation>
+    </message>
+    <message>
+        <source>Detach Group</source>
+        <translation>Gruppe ablösen</translation>
+    </message>
+    <message>
+        <source>Close Active Tab</source>
+        <translation>Aktiven Reiter schließen</translation>
+    </message>
+    <message>
+        <source>Close Group</source>
+        <translation>Gruppe schließen</translation>
+    </message>
+    <message>
+        <source>Close Other Groups</source>
+        <translation>Andere Gruppen schließen</translation>
+    </message>
+</context>
+<context>
+    <name>ads::CDockWidgetTab</name>
+    <message>
+        <source>Detach</source>
+        <translation>Ablösen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close Others</source>
+        <translation>Andere schließen</translation>
+    </message>
+    <message>
+        <source>Close Tab</source>
+        <translation>Reiter schließen</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::CopyMenu</name>
+    <message>
+        <source>Copy cell</source>
+        <translation>Zelle kopieren</translation>
+    </message>
+    <message>
+        <source>Copy rows</source>
+        <translation>Zeilen kopieren</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
     </message>
 </context>
 <context>

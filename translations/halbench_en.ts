@@ -43,22 +43,22 @@
     </message>
 </context>
 <context>
+    <name>halbench::app::LinkPanel</name>
+    <message numerus="yes">
+        <source>%n signal(s), %1 Hz, samples lost: %2</source>
+        <translation>
+            <numerusform>%n signal, %1 Hz, samples lost: %2</numerusform>
+            <numerusform>%n signals, %1 Hz, samples lost: %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>halbench::app::MainWindow</name>
     <message numerus="yes">
         <source>%n recording(s) of %1 exceed the limits in the preferences and are kept for now.</source>
         <translation>
             <numerusform>%n recording of %1 exceeds the limits in the preferences and is kept for now.</numerusform>
             <numerusform>%n recordings of %1 exceed the limits in the preferences and are kept for now.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>halbench::app::MonitorRecording</name>
-    <message numerus="yes">
-        <source>%n signal(s), %1 Hz, samples lost: %2</source>
-        <translation>
-            <numerusform>%n signal, %1 Hz, samples lost: %2</numerusform>
-            <numerusform>%n signals, %1 Hz, samples lost: %2</numerusform>
         </translation>
     </message>
 </context>

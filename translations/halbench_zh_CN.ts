@@ -2075,10 +2075,6 @@
         <translation>设备既不报告固件，也不提供其描述中的标识：无法确定二者是否匹配</translation>
     </message>
     <message>
-        <source>correct the line; see resources/help/projects.md and command-line.md</source>
-        <translation>请更正此行；见 resources/help/projects.md 和 command-line.md</translation>
-    </message>
-    <message>
         <source>at most {} can be read; write parts with --from and --to</source>
         <translation>至多可读 {}；请用 --from 和 --to 分部分写入</translation>
     </message>
@@ -9082,6 +9078,130 @@
         <source>check the sensors and their cables, and measure again</source>
         <translation>检查传感器及其电缆，然后重新测量</translation>
     </message>
+    <message>
+        <source>correct the line or open an earlier copy; the help shows the form of the files</source>
+        <translation>更正该行，或打开较早的副本；帮助中说明了文件格式</translation>
+    </message>
+    <message>
+        <source>the sensors of this device need no calibration</source>
+        <translation>此设备的传感器不需要标定</translation>
+    </message>
+    <message>
+        <source>use identify or record</source>
+        <translation>请使用辨识或记录</translation>
+    </message>
+    <message>
+        <source>force per effort</source>
+        <translation>单位作用量的力</translation>
+    </message>
+    <message>
+        <source>{} of {}</source>
+        <translation>{}：{}</translation>
+    </message>
+    <message>
+        <source>The motion does not excite the axis enough: check that nothing holds it.</source>
+        <translation>运动对该轴的激励不足：请检查是否有东西卡住它。</translation>
+    </message>
+    <message>
+        <source>axis {}: damping, friction and effort leave {} % of the acceleration unexplained</source>
+        <translation>轴 {}：阻尼、摩擦和作用量未能解释加速度的 {} %</translation>
+    </message>
+    <message>
+        <source>The axis has a force that depends on the position, or another axis acts on it.</source>
+        <translation>该轴上有随位置变化的力，或受到另一个轴的作用。</translation>
+    </message>
+    <message>
+        <source>Design with the upper bound, or identify again with a wider window.</source>
+        <translation>请按上限设计，或放宽窗口后重新辨识。</translation>
+    </message>
+    <message>
+        <source>Nothing to do where the axis has none.</source>
+        <translation>如果该轴没有摩擦，则无需处理。</translation>
+    </message>
+    <message>
+        <source>axis {}: {} of {} windows of the motion miss rows</source>
+        <translation>轴 {}：{} 个运动窗口（共 {} 个）缺少行</translation>
+    </message>
+    <message>
+        <source>only ratios follow from the motion: damping, friction and force have no absolute value</source>
+        <translation>由运动只能得到比值：阻尼、摩擦和力没有绝对值</translation>
+    </message>
+    <message>
+        <source>Weigh a slide and give its mass: --given m=0.2, in an experiment given = { m = 0.2 }.</source>
+        <translation>请称量滑块并给出其质量：--given m=0.2，在实验文件中 given = { m = 0.2 }。</translation>
+    </message>
+    <message>
+        <source>this device has no constant &apos;{}&apos;</source>
+        <translation>此设备没有常数 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>known is m (moving mass of an axis, kg)</source>
+        <translation>已知的是 m（轴的运动质量，kg）</translation>
+    </message>
+    <message>
+        <source>leave them out; this device takes an axis and a given m</source>
+        <translation>请省略；此设备接受轴和给定的 m</translation>
+    </message>
+    <message>
+        <source>Check that nothing holds the axis, and that it follows its reference.</source>
+        <translation>请检查没有东西卡住该轴，并且它跟随其参考值。</translation>
+    </message>
+    <message>
+        <source>only {} of {} stretches of {} s in steady motion</source>
+        <translation>只有 {} 段（需要 {} 段，每段 {} s）处于稳定运动</translation>
+    </message>
+    <message>
+        <source>the axis moved one way only</source>
+        <translation>该轴只向一侧运动</translation>
+    </message>
+    <message>
+        <source>the effort shows no effect on the motion within 8 rows</source>
+        <translation>作用量在 8 行之内对运动没有影响</translation>
+    </message>
+    <message>
+        <source>the delay of the effort is not decided by the motion</source>
+        <translation>由运动无法确定作用量的延迟</translation>
+    </message>
+    <message>
+        <source>runs with a sine on its speed</source>
+        <translation>以叠加正弦的速度扫过</translation>
+    </message>
+    <message>
+        <source>goes to its place</source>
+        <translation>移动到位</translation>
+    </message>
+    <message>
+        <source>axis {} {}</source>
+        <translation>轴 {} {}</translation>
+    </message>
+    <message>
+        <source>the device lacks position or effort of axis {}</source>
+        <translation>设备缺少轴 {} 的位置或作用量</translation>
+    </message>
+    <message>
+        <source>Its profile needs both roles.</source>
+        <translation>其配置文件需要这两个角色。</translation>
+    </message>
+    <message>
+        <source>axis {}: damping changes with the speed, the intervals do not include it</source>
+        <translation>轴 {}：阻尼随速度变化，区间未包含此影响</translation>
+    </message>
+    <message>
+        <source>Use the values near the speeds of the motion only; look for drag, or friction that grows with the speed.</source>
+        <translation>仅在接近该运动速度时使用这些值；请查找流体阻力或随速度增大的摩擦。</translation>
+    </message>
+    <message>
+        <source>axis {}: negative friction, not possible</source>
+        <translation>轴 {}：摩擦为负，不可能</translation>
+    </message>
+    <message>
+        <source>axis {}: negative damping, not possible</source>
+        <translation>轴 {}：阻尼为负，不可能</translation>
+    </message>
+    <message>
+        <source>The axis has a force that the model lacks, or position and effort are shifted in time.</source>
+        <translation>该轴受到模型中没有的力，或位置与控制量在时间上错位。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -9645,20 +9765,8 @@ Nothing is armed, and nothing is changed until you apply it.</source>
         <translation>将设备的所有设置保存到文件</translation>
     </message>
     <message>
-        <source>Save settings …</source>
-        <translation>保存设置 …</translation>
-    </message>
-    <message>
-        <source>Compare with …</source>
-        <translation>比较 …</translation>
-    </message>
-    <message>
         <source>No configuration file is open</source>
         <translation>没有打开配置文件</translation>
-    </message>
-    <message>
-        <source>Compare with a file …</source>
-        <translation>与文件比较 …</translation>
     </message>
     <message>
         <source>With &amp;calibration</source>
@@ -9705,6 +9813,18 @@ Nothing is armed, and nothing is changed until you apply it.</source>
     <message>
         <source>configuration</source>
         <translation>配置</translation>
+    </message>
+    <message>
+        <source>Save settings…</source>
+        <translation>保存设置…</translation>
+    </message>
+    <message>
+        <source>Compare with…</source>
+        <translation>比较…</translation>
+    </message>
+    <message>
+        <source>Compare with a file…</source>
+        <translation>与文件比较…</translation>
     </message>
 </context>
 <context>
@@ -9789,10 +9909,6 @@ Nothing is armed, and nothing is changed until you apply it.</source>
         <translation>连接所选设备（Ctrl+Shift+C；列表：Alt+Down）</translation>
     </message>
     <message>
-        <source>Close the recording and connect %1 again (Ctrl+Shift+C)</source>
-        <translation>关闭记录并重新连接 %1（Ctrl+Shift+C）</translation>
-    </message>
-    <message>
         <source>Close the recording (Ctrl+Shift+C)</source>
         <translation>关闭记录（Ctrl+Shift+C）</translation>
     </message>
@@ -9811,6 +9927,10 @@ Nothing is armed, and nothing is changed until you apply it.</source>
     <message>
         <source>Disconnect</source>
         <translation>断开</translation>
+    </message>
+    <message>
+        <source>Close the recording, back to %1 (Ctrl+Shift+C)</source>
+        <translation>关闭记录，返回 %1（Ctrl+Shift+C）</translation>
     </message>
 </context>
 <context>
@@ -9849,10 +9969,6 @@ Nothing is armed, and nothing is changed until you apply it.</source>
     <message>
         <source>Unit of the result, e.g. rad, rad/s, T, A, degC; empty: derived from the expression</source>
         <translation>结果的单位，例如 rad、rad/s、T、A、degC；留空：由表达式推出</translation>
-    </message>
-    <message>
-        <source>Signal names in SI units, e.g. current.a^2 + current.b^2; + - * / ^, sin, cos, atan2, sqrt, abs, exp, ln, min, max, pi. Enter adds it</source>
-        <translation>信号名称（SI 单位），例如 current.a^2 + current.b^2；+ - * / ^、sin、cos、atan2、sqrt、abs、exp、ln、min、max、pi。按 Enter 添加</translation>
     </message>
     <message>
         <source>Name in the signal tree: letters, digits, dots, underscores</source>
@@ -9897,6 +10013,72 @@ Nothing is armed, and nothing is changed until you apply it.</source>
     <message>
         <source>computed</source>
         <translation>已计算</translation>
+    </message>
+    <message>
+        <source>sine of an angle in rad</source>
+        <translation>弧度角的正弦</translation>
+    </message>
+    <message>
+        <source>cosine of an angle in rad</source>
+        <translation>弧度角的余弦</translation>
+    </message>
+    <message>
+        <source>angle of the point (x, y): atan2(y, x)</source>
+        <translation>点 (x, y) 的角度：atan2(y, x)</translation>
+    </message>
+    <message>
+        <source>square root</source>
+        <translation>平方根</translation>
+    </message>
+    <message>
+        <source>absolute value</source>
+        <translation>绝对值</translation>
+    </message>
+    <message>
+        <source>exponential function</source>
+        <translation>指数函数</translation>
+    </message>
+    <message>
+        <source>natural logarithm</source>
+        <translation>自然对数</translation>
+    </message>
+    <message>
+        <source>smaller of two values</source>
+        <translation>两值中较小者</translation>
+    </message>
+    <message>
+        <source>larger of two values</source>
+        <translation>两值中较大者</translation>
+    </message>
+    <message>
+        <source>ratio of circumference to diameter</source>
+        <translation>圆周率</translation>
+    </message>
+    <message>
+        <source>Signals in SI units, e.g. current.a^2 (Enter adds it)</source>
+        <translation>信号采用国际单位制，如 current.a^2（回车添加）</translation>
+    </message>
+    <message>
+        <source>Insert</source>
+        <translation>插入</translation>
+    </message>
+    <message>
+        <source>Insert a signal or a function into the expression</source>
+        <translation>向表达式插入信号或函数</translation>
+    </message>
+    <message>
+        <source>No derived signals yet. Example: name power, expression current.a^2 + current.b^2.
+Type a part of a signal&apos;s name to choose it, or drag it here from the signals.</source>
+        <translation>还没有派生信号。示例：名称 power，表达式 current.a^2 + current.b^2。
+输入信号名称的一部分进行选择，或从信号列表拖到这里。</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>信号</translation>
+    </message>
+    <message>
+        <source>Function</source>
+        <translation>函数</translation>
     </message>
 </context>
 <context>
@@ -10092,16 +10274,8 @@ Nothing is armed, and nothing is changed until you apply it.</source>
         <translation>未指定</translation>
     </message>
     <message>
-        <source>Connection lost. Reconnecting to %1 …</source>
-        <translation>连接已断开。正在重新连接 %1 …</translation>
-    </message>
-    <message>
         <source>Stop searching for the device (Alt+C)</source>
         <translation>停止查找设备 (Alt+C)</translation>
-    </message>
-    <message>
-        <source>Stopping and disarming …</source>
-        <translation>正在停止并解除使能 …</translation>
     </message>
     <message>
         <source>Stop, disarm and disconnect (Alt+C)</source>
@@ -10177,6 +10351,22 @@ Firmware %2</source>
         <source>Description file…</source>
         <translation>描述文件…</translation>
     </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>返回(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Close the recording, back to %1 (Alt+B)</source>
+        <translation>关闭记录，返回 %1（Alt+B）</translation>
+    </message>
+    <message>
+        <source>Stopping and disarming…</source>
+        <translation>正在停止并解除使能…</translation>
+    </message>
+    <message>
+        <source>Connection lost. Reconnecting to %1…</source>
+        <translation>连接丢失。正在重新连接 %1…</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -10229,6 +10419,10 @@ Firmware %2</source>
     <message>
         <source>stop</source>
         <translation>停止</translation>
+    </message>
+    <message>
+        <source>back to %1</source>
+        <translation>返回 %1</translation>
     </message>
 </context>
 <context>
@@ -10376,6 +10570,142 @@ Firmware %2</source>
     <message>
         <source>rev/s</source>
         <translation>r/s</translation>
+    </message>
+    <message>
+        <source>Lift force</source>
+        <translation>升力</translation>
+    </message>
+    <message>
+        <source>Chi-square</source>
+        <translation>卡方</translation>
+    </message>
+    <message>
+        <source>Squared innovation</source>
+        <translation>新息平方</translation>
+    </message>
+    <message>
+        <source>Current scale</source>
+        <translation>电流缩放</translation>
+    </message>
+    <message>
+        <source>Cell x</source>
+        <translation>单元 x</translation>
+    </message>
+    <message>
+        <source>Cell y</source>
+        <translation>单元 y</translation>
+    </message>
+    <message>
+        <source>Sensors left out</source>
+        <translation>未用传感器</translation>
+    </message>
+    <message>
+        <source>Channels left out</source>
+        <translation>未用通道</translation>
+    </message>
+    <message>
+        <source>Homed</source>
+        <translation>已回零</translation>
+    </message>
+    <message>
+        <source>Field strength</source>
+        <translation>磁场强度</translation>
+    </message>
+    <message>
+        <source>Expected field strength</source>
+        <translation>预期磁场强度</translation>
+    </message>
+    <message>
+        <source>Shaft cone (95 %)</source>
+        <translation>轴锥角(95 %)</translation>
+    </message>
+    <message>
+        <source>Orientation state</source>
+        <translation>姿态状态</translation>
+    </message>
+    <message>
+        <source>Integrity code</source>
+        <translation>完整性代码</translation>
+    </message>
+    <message>
+        <source>Coil current</source>
+        <translation>线圈电流</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>True field strength</source>
+        <translation>真实磁场强度</translation>
+    </message>
+    <message>
+        <source>Position %1</source>
+        <translation>位置 %1</translation>
+    </message>
+    <message>
+        <source>Speed %1</source>
+        <translation>速度 %1</translation>
+    </message>
+    <message>
+        <source>Reference %1</source>
+        <translation>参考 %1</translation>
+    </message>
+    <message>
+        <source>Command %1</source>
+        <translation>指令 %1</translation>
+    </message>
+    <message>
+        <source>Effort %1</source>
+        <translation>作用量 %1</translation>
+    </message>
+    <message>
+        <source>True position %1</source>
+        <translation>真实位置 %1</translation>
+    </message>
+    <message>
+        <source>True speed %1</source>
+        <translation>真实速度 %1</translation>
+    </message>
+    <message>
+        <source>True effort %1</source>
+        <translation>真实作用量 %1</translation>
+    </message>
+    <message>
+        <source>Orientation %1</source>
+        <translation>姿态 %1</translation>
+    </message>
+    <message>
+        <source>Shaft %1</source>
+        <translation>轴 %1</translation>
+    </message>
+    <message>
+        <source>True rate %1</source>
+        <translation>真实角速率 %1</translation>
+    </message>
+    <message>
+        <source>True orientation %1</source>
+        <translation>真实姿态 %1</translation>
+    </message>
+    <message>
+        <source>Hall %1</source>
+        <translation>霍尔 %1</translation>
+    </message>
+    <message>
+        <source>Current %1</source>
+        <translation>电流 %1</translation>
+    </message>
+    <message>
+        <source>Coil %1</source>
+        <translation>线圈 %1</translation>
+    </message>
+    <message>
+        <source>Field %1</source>
+        <translation>磁场 %1</translation>
+    </message>
+    <message>
+        <source>Residual %1</source>
+        <translation>残差 %1</translation>
     </message>
 </context>
 <context>
@@ -10680,10 +11010,6 @@ are ramps at jog speed.</source>
         <translation>Ctrl+Shift+E</translation>
     </message>
     <message>
-        <source>Release the stop</source>
-        <translation>解除停止</translation>
-    </message>
-    <message>
         <source>No device</source>
         <translation>无设备</translation>
     </message>
@@ -10762,6 +11088,10 @@ are ramps at jog speed.</source>
     <message>
         <source>A motion is running. End it to start another.</source>
         <translation>正在运动。先结束它，再开始新的运动。</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>解除</translation>
     </message>
 </context>
 <context>
@@ -11520,10 +11850,6 @@ are ramps at jog speed.</source>
         <translation>设备的 %1</translation>
     </message>
     <message>
-        <source>... full effect from speed</source>
-        <translation>... 全部作用的起始转速</translation>
-    </message>
-    <message>
         <source>Enter zero or a positive number</source>
         <translation>请输入零或正数</translation>
     </message>
@@ -11564,14 +11890,6 @@ are ramps at jog speed.</source>
         <translation>摩擦补偿</translation>
     </message>
     <message>
-        <source>... from an error of</source>
-        <translation>... 起始误差</translation>
-    </message>
-    <message>
-        <source>... below a reference speed of</source>
-        <translation>... 参考转速低于</translation>
-    </message>
-    <message>
         <source>Unit of the gains</source>
         <translation>增益的单位</translation>
     </message>
@@ -11610,6 +11928,18 @@ are ramps at jog speed.</source>
     <message>
         <source>Form of the gains</source>
         <translation>增益的形式</translation>
+    </message>
+    <message>
+        <source>Full friction feed-forward from</source>
+        <translation>摩擦前馈全量起始速度</translation>
+    </message>
+    <message>
+        <source>Friction assist from an error of</source>
+        <translation>摩擦补偿起始误差</translation>
+    </message>
+    <message>
+        <source>Friction assist below a speed of</source>
+        <translation>摩擦补偿速度上限</translation>
     </message>
 </context>
 <context>
@@ -11769,10 +12099,6 @@ are ramps at jog speed.</source>
         <translation>已知阻尼 c(&amp;N)</translation>
     </message>
     <message>
-        <source>Given friction &amp;K_f</source>
-        <translation>已知摩擦 &amp;K_f</translation>
-    </message>
-    <message>
         <source>Given torque constant φ</source>
         <translation>已知转矩常数 φ</translation>
     </message>
@@ -11815,6 +12141,10 @@ are ramps at jog speed.</source>
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>Given friction K&lt;sub&gt;f&lt;/sub&gt;</source>
+        <translation>已知摩擦 K&lt;sub&gt;f&lt;/sub&gt;</translation>
     </message>
 </context>
 <context>
@@ -12536,6 +12866,28 @@ by %1 rows a second</source>
     <message>
         <source>Last message of the log</source>
         <translation>日志的最后一条消息</translation>
+    </message>
+    <message>
+        <source>Signals sent to the plots</source>
+        <translation>发送到曲线图的信号</translation>
+    </message>
+    <message>
+        <source>recording of %1 s</source>
+        <translation>%1 s 的记录</translation>
+    </message>
+    <message>
+        <source>no signals</source>
+        <translation>无信号</translation>
+    </message>
+    <message>
+        <source>time advances only during a procedure</source>
+        <translation>仅在流程运行时时间前进</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n signal(s), %1 Hz, samples lost: %2</source>
+        <translation>
+            <numerusform>%n 个信号，%1 Hz，丢失样本：%2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -13336,10 +13688,6 @@ D 轴：无转矩地保持转子的电流 (%1)</translation>
         <translation>这些信号不绘制。更改曲线图之前，项目会保留它们。</translation>
     </message>
     <message>
-        <source>Signals sent to the plots</source>
-        <translation>发送到曲线图的信号</translation>
-    </message>
-    <message>
         <source>Save</source>
         <translation>保存</translation>
     </message>
@@ -13488,16 +13836,6 @@ D 轴：无转矩地保持转子的电流 (%1)</translation>
         <source>Markers not saved: %1</source>
         <translation>标记未保存：%1</translation>
     </message>
-    <message numerus="yes">
-        <source>%n signal(s), %1 Hz, samples lost: %2</source>
-        <translation>
-            <numerusform>%n 个信号，%1 Hz，丢失样本：%2</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>time advances only during a procedure</source>
-        <translation>仅在流程运行时时间前进</translation>
-    </message>
     <message>
         <source>Reading %1</source>
         <translation>正在读取 %1</translation>
@@ -13509,14 +13847,6 @@ D 轴：无转矩地保持转子的电流 (%1)</translation>
     <message>
         <source>Cancelled: the plots show the first %1 s of %2 s.</source>
         <translation>已取消：曲线图显示 %2 s 中的前 %1 s。</translation>
-    </message>
-    <message>
-        <source>recording of %1 s</source>
-        <translation>%1 s 的记录</translation>
-    </message>
-    <message>
-        <source>no signals</source>
-        <translation>无信号</translation>
     </message>
 </context>
 <context>
@@ -14609,10 +14939,6 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <translation>按“确定”现在不会从 %1 删除任何记录。</translation>
     </message>
     <message>
-        <source>Checking recordings …</source>
-        <translation>正在检查记录…</translation>
-    </message>
-    <message>
         <source>Currently never.</source>
         <translation>当前从不删除。</translation>
     </message>
@@ -14693,6 +15019,10 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
     <message>
         <source>e.g. %1.csv</source>
         <translation>例如 %1.csv</translation>
+    </message>
+    <message>
+        <source>Checking recordings…</source>
+        <translation>正在检查记录…</translation>
     </message>
 </context>
 <context>
@@ -14886,6 +15216,38 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <source>Import</source>
         <translation>导入</translation>
     </message>
+    <message>
+        <source>Select a recording to open or replay it.</source>
+        <translation>选择一个记录以打开或回放。</translation>
+    </message>
+    <message>
+        <source>Several are overlaid below; select one to open it.</source>
+        <translation>多个记录在下方叠加显示；只选一个即可打开。</translation>
+    </message>
+    <message>
+        <source>Interrupted: recover it first.</source>
+        <translation>记录中断：请先恢复。</translation>
+    </message>
+    <message>
+        <source>End the current recording first.</source>
+        <translation>请先结束当前记录。</translation>
+    </message>
+    <message>
+        <source>Disarm the device first.</source>
+        <translation>请先解除使能。</translation>
+    </message>
+    <message>
+        <source>Wait for the end of the procedure.</source>
+        <translation>请等待流程结束。</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>复制路径</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>打开文件夹</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::RecordingsTableModel</name>
@@ -14975,10 +15337,6 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
     <message>
         <source>Constant speed or current added to the shape</source>
         <translation>叠加到波形上的恒定速度或恒定电流</translation>
-    </message>
-    <message>
-        <source>Offset (added)</source>
-        <translation>偏置（叠加）</translation>
     </message>
     <message>
         <source>Phase seed of the multisine; 0: low crest factor</source>
@@ -15083,6 +15441,14 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
     <message>
         <source>Currents (A)</source>
         <translation>电流 (A)</translation>
+    </message>
+    <message>
+        <source>Offset speed (added)</source>
+        <translation>附加偏置速度</translation>
+    </message>
+    <message>
+        <source>Offset current (added)</source>
+        <translation>附加偏置电流</translation>
     </message>
 </context>
 <context>
@@ -15649,6 +16015,14 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
     <message>
         <source>Last</source>
         <translation>最后</translation>
+    </message>
+    <message>
+        <source>Plot, or remove from the plots</source>
+        <translation>绘制，或从曲线图中移除</translation>
+    </message>
+    <message>
+        <source>Copy the name for expressions and files</source>
+        <translation>复制用于表达式和文件的名称</translation>
     </message>
 </context>
 <context>
@@ -16344,10 +16718,6 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <translation>扰动的最大放大倍数；通常至多为 2</translation>
     </message>
     <message>
-        <source>rise time %1, overshoot %2, settling time (2 %) %3</source>
-        <translation>上升时间 %1，超调 %2，调节时间（2 %）%3</translation>
-    </message>
-    <message>
         <source>Sensitivity peak Ms</source>
         <translation>灵敏度峰值 Ms</translation>
     </message>
@@ -16522,6 +16892,22 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
     <message>
         <source>not predicted</source>
         <translation>未预测</translation>
+    </message>
+    <message>
+        <source>%1: rise time</source>
+        <translation>%1：上升时间</translation>
+    </message>
+    <message>
+        <source>%1: overshoot</source>
+        <translation>%1：超调</translation>
+    </message>
+    <message>
+        <source>%1: settling time (2 %)</source>
+        <translation>%1：调节时间(2 %)</translation>
+    </message>
+    <message>
+        <source>settled</source>
+        <translation>已稳定</translation>
     </message>
 </context>
 <context>
@@ -19856,6 +20242,86 @@ Hall B
     <message>
         <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
         <translation>转子将以 %1 rad/s（%2 r/min）正转，约 %3 转，设备时间 %4 分钟。</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>List All Tabs</source>
+        <translation>列出所有标签页</translation>
+    </message>
+    <message>
+        <source>Detach Group</source>
+        <translation>分离标签组</translation>
+    </message>
+    <message>
+        <source>Close Active Tab</source>
+        <translation>关闭当前标签页</translation>
+    </message>
+    <message>
+        <source>Close Group</source>
+        <translation>关闭标签组</translation>
+    </message>
+    <message>
+        <source>Close Tab</source>
+        <translation>关闭标签页</translation>
+    </message>
+</context>
+<context>
+    <name>ads::CDockAreaTitleBar</name>
+    <message>
+        <source>List All Tabs</source>
+        <translation>列出所有标签页</translation>
+    </message>
+    <message>
+        <source>Detach Group</source>
+        <translation>分离标签组</translation>
+    </message>
+    <message>
+        <source>Close Active Tab</source>
+        <translation>关闭当前标签页</translation>
+    </message>
+    <message>
+        <source>Close Group</source>
+        <translation>关闭标签组</translation>
+    </message>
+    <message>
+        <source>Close Other Groups</source>
+        <translation>关闭其他标签组</translation>
+    </message>
+</context>
+<context>
+    <name>ads::CDockWidgetTab</name>
+    <message>
+        <source>Detach</source>
+        <translation>分离</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Close Others</source>
+        <translation>关闭其他</translation>
+    </message>
+    <message>
+        <source>Close Tab</source>
+        <translation>关闭标签页</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::CopyMenu</name>
+    <message>
+        <source>Copy cell</source>
+        <translation>复制单元格</translation>
+    </message>
+    <message>
+        <source>Copy rows</source>
+        <translation>复制所选行</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>复制表格</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,10 @@ struct Actuator {
 /// The table of actuators, one row each.
 std::span<const Actuator> actuators();
 
+/// Adds a row, for tests: before the first device is opened, since the table is not guarded. A row of the
+/// same model is replaced.
+void addActuator(const Actuator& actuator);
+
 /// The row of a model. A board without a profile is judged by its signals and parameters and takes the first
 /// row, of one axis that turns.
 const Actuator& actuatorOf(std::string_view model);

@@ -33,6 +33,9 @@ DeviceSession::DeviceSession(QObject* parent) : QObject(parent), m_inbox(InboxCa
         if (m_connection) {
             m_connection->confirmAlive();
         }
+        if (m_held) {
+            m_held->connection->confirmAlive();
+        }
     });
     m_heartbeat.start(HeartbeatPeriod_ms);
 }
@@ -43,11 +46,74 @@ DeviceSession::~DeviceSession() {
 
 void DeviceSession::connectDevice(const QString& uri, Pace pace, std::optional<std::uint64_t> seed) {
     const Wish wish{uri, pace, seed};
-    if (!m_connection) {
+    if (!m_connection && !m_held) {
+        open(wish);
+        return;
+    }
+    if (isHeldFor(wish)) {
+        hold();
         open(wish);
         return;
     }
     m_next = wish;
+    leave();
+}
+
+/// A procedure has the device for itself; the panels that open recordings wait for its end, and for
+/// disarming.
+bool DeviceSession::isHeldFor(const Wish& wish) const {
+    return wish.isRecording() && m_state == SessionState::Connected && m_info.transport != "replay" &&
+           m_procedure.isEmpty() && !m_held;
+}
+
+void DeviceSession::hold() {
+    if (m_report.board.isArmed) {
+        m_connection->post([](devices::Device& device) { (void)device.disarm(); });
+    }
+    m_connection->setLiveStream({});
+    m_connection->setPace({0.0});
+    auto held = std::make_unique<HeldDevice>();
+    held->number = m_number;
+    held->info = m_info;
+    held->catalogue = m_catalogue;
+    held->report = m_report;
+    held->pace = m_pace;
+    held->returns = m_returns;
+    held->outage_s = m_outage_s;
+    {
+        const std::lock_guard lock(m_connectionMutex);
+        held->connection = std::move(m_connection);
+        m_held = std::move(held);
+    }
+    m_number = 0; // what it still sends belongs to nobody
+    takeBlocks();
+    setState(SessionState::Disconnected);
+}
+
+/// Its connection is the present one again.
+std::unique_ptr<HeldDevice> DeviceSession::useHeld() {
+    const std::lock_guard lock(m_connectionMutex);
+    std::unique_ptr<HeldDevice> held = std::move(m_held);
+    m_connection = std::move(held->connection);
+    m_number = held->number;
+    return held;
+}
+
+void DeviceSession::takeHeldBack() {
+    const std::unique_ptr<HeldDevice> held = useHeld();
+    m_info = held->info;
+    m_catalogue = held->catalogue;
+    m_report = held->report;
+    m_returns = held->returns;
+    m_outage_s = held->outage_s;
+    setPace(held->pace);
+    const SessionState away = m_report.isReturning ? SessionState::Reconnecting : SessionState::Lost;
+    setState(m_report.lost ? away : SessionState::Connected);
+    message(MessageLevel::Info, tr("connection"), tr("back to %1").arg(QString::fromStdString(m_info.id)));
+}
+
+void DeviceSession::closeRecording() {
+    m_next.reset();
     leave();
 }
 
@@ -70,11 +136,13 @@ void DeviceSession::open(const Wish& wish) {
         const Result<std::string> now = devices::addressNow(*port, devices::listDevices());
         return now ? devices::openDevice(*now, options) : failure(now.error());
     };
-    const bool hasLine = address.rfind("sim:", 0) != 0 && address.rfind("replay:", 0) != 0;
+    const bool hasLine = address.rfind("sim:", 0) != 0 && !wish.isRecording();
+    const std::uint64_t number = ++m_lastNumber;
+    m_number = number;
     {
         const std::lock_guard lock(m_connectionMutex);
         m_connection = std::make_unique<Connection>(
-            open, wish.pace, events(), Connection::UsualPatience_s, orders,
+            open, wish.pace, events(number), Connection::UsualPatience_s, orders,
             hasLine ? std::optional<ReturnPlan>({reopen, m_returnTimes}) : std::nullopt);
     }
     setState(SessionState::Connecting);
@@ -109,6 +177,7 @@ devices::OpenOptions DeviceSession::optionsFor(const Wish& wish,
 
 void DeviceSession::disconnectDevice() {
     m_next.reset();
+    m_isLeavingAll = m_held != nullptr;
     leave();
 }
 
@@ -148,9 +217,26 @@ std::unique_ptr<Connection> DeviceSession::takeConnection() {
 void DeviceSession::left() {
     takeConnection().reset(); // its thread has nothing left to do
     takeBlocks();
+    const bool isOther = m_next && !m_next->isRecording() && m_next->uri != heldDevice();
+    if (m_held && (std::exchange(m_isLeavingAll, false) || isOther)) {
+        useHeld(); // still leaving: first the recording, now the device
+        DisconnectTask::say(*this, *m_connection);
+        m_connection->close();
+        return;
+    }
     setState(SessionState::Disconnected);
     message(MessageLevel::Info, tr("connection"), tr("disconnected"));
-    if (m_next && !m_connection) {
+    if (!m_connection) {
+        goOn();
+    }
+}
+
+/// After a device or a recording was left.
+void DeviceSession::goOn() {
+    if (m_held && (!m_next || !m_next->isRecording())) {
+        m_next.reset();
+        takeHeldBack();
+    } else if (m_next) {
         open(*std::exchange(m_next, std::nullopt));
     }
 }
@@ -167,14 +253,22 @@ void DeviceSession::end() {
         DisconnectTask::say(*this, *m_connection);
     }
     takeConnection().reset();
+    if (m_held) {
+        DisconnectTask::say(*this, *m_held->connection);
+        const std::lock_guard lock(m_connectionMutex);
+        m_held.reset();
+    }
     m_state = SessionState::Disconnected;
 }
 
-ConnectionEvents DeviceSession::events() {
-    const auto say = [this](auto function) {
-        onGui([this, function] {
-            if (m_connection) { // not after end()
+/// Of the connection of this number, whether it is the present one or that of the held device.
+ConnectionEvents DeviceSession::events(std::uint64_t number) {
+    const auto say = [this, number](auto function, std::function<void(HeldDevice&)> held = {}) {
+        onGui([this, number, function, held] {
+            if (m_connection && m_number == number) { // not after end()
                 function();
+            } else if (m_held && m_held->number == number && held) {
+                held(*m_held);
             }
         });
     };
@@ -184,10 +278,17 @@ ConnectionEvents DeviceSession::events() {
     };
     events.onRefused = [this, say](const Error& error) { say([this, error] { refused(error); }); };
     events.onReport = [this, say](const ConnectionReport& report) {
-        say([this, report] { reported(report); });
+        say([this, report] { reported(report); }, [report](HeldDevice& held) { held.report = report; });
     };
     events.onReturned = [this, say](const devices::DeviceInfo& info, double outage_s, std::uint64_t returns) {
-        say([this, info, outage_s, returns] { returned(info, outage_s, returns); });
+        say([this, info, outage_s, returns] { returned(info, outage_s, returns); },
+            [info, outage_s, returns](HeldDevice& held) {
+                held.info = info;
+                held.outage_s = outage_s;
+                held.returns = returns;
+                held.report.lost.reset();
+                held.report.isReturning = false;
+            });
     };
     events.onClosed = [this, say] { say([this] { left(); }); };
     events.onStreamRefused = [this, say](const Error& error) {
@@ -196,7 +297,10 @@ ConnectionEvents DeviceSession::events() {
                     QString::fromStdString(error.message + ". " + error.hint));
         });
     };
-    events.onBlock = [this](const TimedBlock& block) {
+    events.onBlock = [this, number](const TimedBlock& block) {
+        if (m_number != number) {
+            return; // a rest of the stream of the held device
+        }
         m_inbox.push(block);
         TimedBlockSink sink;
         {
@@ -231,6 +335,9 @@ void DeviceSession::refused(const Error& error) {
     setState(SessionState::Disconnected);
     message(MessageLevel::Error, tr("connection"), QString::fromStdString(error.message));
     connectFailed(QString::fromStdString(error.message), QString::fromStdString(error.hint));
+    if (!m_connection) {
+        goOn();
+    }
 }
 
 void DeviceSession::reported(const ConnectionReport& report) {
@@ -303,6 +410,9 @@ void DeviceSession::stopActuator() noexcept {
     const std::lock_guard lock(m_connectionMutex);
     if (m_connection) {
         m_connection->stop();
+    }
+    if (m_held) {
+        m_held->connection->stop();
     }
     m_isAborting = true; // a procedure that only computes ends as well
 }

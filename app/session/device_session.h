@@ -3,6 +3,7 @@
 #include "app/procedures/base/procedure.h"
 #include "app/session/connection.h"
 #include "app/session/gui_queue.h"
+#include "app/session/held_device.h"
 #include "app/session/shared_device.h"
 #include "devices/acquisition/display_inbox.h"
 #include "devices/device_options.h"
@@ -40,10 +41,21 @@ public:
     ~DeviceSession() override;
 
     /// Opens a device, after the one there was has been left; answers with stateChanged() or connectFailed().
+    /// A recording ("replay:FILE") leaves the device connected: it is held, disarmed, with its gains and its
+    /// calibration, until closeRecording() or until its own address is connected again.
     void connectDevice(const QString& uri, Pace pace, std::optional<std::uint64_t> seed = {});
     /// Ends a running procedure through its restore path, disarms, closes. Returns at once in the state
     /// Leaving, in which a stop still works and nothing new begins.
     void disconnectDevice();
+    /// Leaves the recording that is open or being read; the device that is held is connected then.
+    void closeRecording();
+    /// Address of the device that is held while a recording is open; empty: none.
+    QString heldDevice() const { return m_held ? m_held->address() : QString(); }
+    /// Of the connection to the present device, or to the one that is held; 0: none. The same number is the
+    /// same device with everything that was written to it.
+    std::uint64_t deviceNumber() const {
+        return m_held ? m_held->number : m_connection ? m_number.load() : 0;
+    }
     /// The same for a destructor: returns when it is done, at the latest when the board was silent for its
     /// time-outs, and nothing is told any more.
     void end();
@@ -114,14 +126,21 @@ private:
         QString uri;
         Pace pace;
         std::optional<std::uint64_t> seed;
+
+        bool isRecording() const { return uri.startsWith(QLatin1String("replay:")); }
     };
 
     template <typename Function>
     void onGui(Function function);
     void open(const Wish& wish);
+    bool isHeldFor(const Wish& wish) const;
+    void hold();
+    std::unique_ptr<HeldDevice> useHeld();
+    void takeHeldBack();
     void leave();
     void disarmWhatStillRuns();
     void left();
+    void goOn();
     std::unique_ptr<Connection> takeConnection();
     devices::OpenOptions optionsFor(const Wish& wish, std::shared_ptr<devices::LinkOrders> orders);
     void opened(const devices::DeviceInfo& info, const devices::Catalogue& catalogue);
@@ -129,7 +148,7 @@ private:
     void refused(const Error& error);
     void reported(const ConnectionReport& report);
     void setState(SessionState state);
-    ConnectionEvents events();
+    ConnectionEvents events(std::uint64_t number);
     ProcedureObserver observer();
     bool startProcedure(const QString& name,
                         std::function<void(devices::Device&, const ProcedureObserver&)> body);
@@ -141,7 +160,8 @@ private:
     ConnectionReport m_report;
     Pace m_pace;
     QString m_procedure;
-    std::optional<Wish> m_next; ///< connected once the present device is left
+    std::optional<Wish> m_next;  ///< connected once the present device is left
+    bool m_isLeavingAll = false; ///< the held device too
     devices::ReturnTimes m_returnTimes;
     std::uint64_t m_returns = 0;
     double m_outage_s = 0.0;
@@ -153,8 +173,11 @@ private:
     std::mutex m_mutex;              ///< guards the sink
     TimedBlockSink m_blockSink;
 
-    std::mutex m_connectionMutex; ///< guards the pointer against stopActuator() from another thread
+    std::mutex m_connectionMutex; ///< guards the pointers against stopActuator() from another thread
     std::unique_ptr<Connection> m_connection;
+    std::unique_ptr<HeldDevice> m_held;      ///< while a recording is open
+    std::atomic<std::uint64_t> m_number = 0; ///< of the present connection, which its events carry
+    std::uint64_t m_lastNumber = 0;
     QTimer m_heartbeat; ///< tells the connection that this thread still turns its events
     std::unique_ptr<SharedDevice> m_procedureDevice;
     std::thread m_procedureThread;

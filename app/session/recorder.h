@@ -17,7 +17,7 @@
 
 namespace halbench::app {
 
-/// What is written where.
+/// Settings of a recording: file, columns, length.
 struct RecorderConfig {
     std::string path;                                  ///< of the CSV file; its sidecar lies beside it
     StreamLayout layout;                               ///< the columns; the distance of rows

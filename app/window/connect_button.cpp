@@ -35,27 +35,35 @@ bool ConnectButton::isRecordingOpen() const {
     return session.state() == SessionState::Connected && session.info().transport == "replay";
 }
 
+/// Also while the recording is being read, and when its end was played.
+bool ConnectButton::isDeviceHeld() const {
+    return !m_bench.session().heldDevice().isEmpty();
+}
+
 void ConnectButton::act() {
-    if (isRecordingOpen() && !m_before.isEmpty()) {
-        Q_EMIT deviceChosen(m_before);
-        return;
+    if (isDeviceHeld()) {
+        m_bench.session().closeRecording();
+    } else {
+        Q_EMIT toggleRequested();
     }
-    m_before.clear(); // whoever disconnects is done with it
-    Q_EMIT toggleRequested();
 }
 
 QString ConnectButton::wordsNow() const {
+    if (isDeviceHeld()) {
+        return tr("Back");
+    }
     if (isRecordingOpen()) {
-        return m_before.isEmpty() ? tr("Close") : tr("Back");
+        return tr("Close");
     }
     return m_bench.session().state() == SessionState::Disconnected ? tr("Connect") : tr("Disconnect");
 }
 
 QString ConnectButton::tipNow() const {
+    if (isDeviceHeld()) {
+        return tr("Close the recording, back to %1 (Ctrl+Shift+C)").arg(m_bench.session().heldDevice());
+    }
     if (isRecordingOpen()) {
-        return m_before.isEmpty()
-                   ? tr("Close the recording (Ctrl+Shift+C)")
-                   : tr("Close the recording and connect %1 again (Ctrl+Shift+C)").arg(m_before);
+        return tr("Close the recording (Ctrl+Shift+C)");
     }
     switch (m_bench.session().state()) {
     case SessionState::Disconnected:
@@ -68,11 +76,7 @@ QString ConnectButton::tipNow() const {
 }
 
 void ConnectButton::refresh() {
-    const DeviceSession& session = m_bench.session();
-    const SessionState state = session.state();
-    if (state == SessionState::Connected && !isRecordingOpen()) {
-        m_before = QString::fromStdString(session.info().uri);
-    }
+    const SessionState state = m_bench.session().state();
     setEnabled(state != SessionState::Leaving);
     setText(wordsNow());
     setAccessibleName(text());

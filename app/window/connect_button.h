@@ -11,7 +11,7 @@
 namespace halbench::app {
 
 /// Connects the device whose address is in the Devices panel, or one of those its menu lists; disconnects the
-/// one that is connected. While a recording is open it leads back to the device that was connected before.
+/// one that is connected. While a recording is open it leads back to the device that is held.
 class ConnectButton : public QToolButton {
     Q_OBJECT
 
@@ -41,13 +41,13 @@ private:
     void refresh();
     void act();
     bool isRecordingOpen() const;
+    bool isDeviceHeld() const;
     QString wordsNow() const;
     QString tipNow() const;
     int words_px() const; ///< of the longer word
 
     Workbench& m_bench;
     std::function<Devices()> m_devices;
-    QString m_before; ///< address of the device that a recording took the place of; empty: none
 };
 
 } // namespace halbench::app

@@ -32,6 +32,7 @@
 #include "app/workspaces/recordings/recordings_panel.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "devices/history/page_file.h"
+#include "widgets/controls/floating_rows.h"
 #include "widgets/controls/wheel_guard.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/theme/theme_style.h"
@@ -254,6 +255,7 @@ void MainWindow::buildCentre() {
     m_bench.stopLatch().setLockOut_ms(m_preferences.stopLockOut_ms);
     m_docks = new DockLayout(centre);
     m_message = new widgets::MessageBar(centre);
+    m_message->setObjectName(QStringLiteral("window_message"));
     connect(m_message, &widgets::MessageBar::actionTriggered, this, [this] {
         const auto remedy = m_remedy; // it may say something else itself
         remedy();
@@ -263,11 +265,14 @@ void MainWindow::buildCentre() {
     m_unkept = new UnsavedBar(centre);
     auto* notice = new ReturnNotice(m_bench, centre);
     auto* arrangement = new ArrangementNotice(*m_docks, centre);
-    for (QWidget* line :
-         std::initializer_list<QWidget*>{m_bar, m_message, m_refusal, m_unkept, arrangement, notice}) {
-        column->addWidget(line);
+    column->addWidget(m_bar);
+    auto* room = new DockRoom(*m_docks->widget(), centre);
+    column->addWidget(room, 1);
+    auto* banners = new widgets::FloatingRows(*room, Qt::BottomEdge, centre);
+    for (QWidget* row :
+         std::initializer_list<QWidget*>{m_message, m_refusal, m_unkept, arrangement, notice}) {
+        banners->addRow(*row);
     }
-    column->addWidget(new DockRoom(*m_docks->widget(), centre), 1);
     m_link = new LinkPanel(m_bench, centre);
     column->addWidget(m_link);
     setCentralWidget(centre);

@@ -14,6 +14,7 @@
 #include "app/workspaces/device/device_panel.h"
 #include "app/workspaces/device/parameters_panel.h"
 #include "app/workspaces/field/field_panel.h"
+#include "app/workspaces/monitor/derived_panel.h"
 #include "app/workspaces/monitor/monitor_panel.h"
 #include "app/workspaces/monitor/signals_panel.h"
 #include "app/workspaces/recordings/record_panel.h"
@@ -46,6 +47,8 @@ void connectMonitor(DockLayout& docks) {
     auto* devices = panelOf<DevicePanel>(docks, "devices");
     HB_ASSERT(monitor != nullptr && signalList != nullptr && devices != nullptr);
     QObject::connect(signalList, &SignalsPanel::plotRequested, monitor, &MonitorPanel::plot);
+    QObject::connect(panelOf<DerivedPanel>(docks, "derived"), &DerivedPanel::plotRequested, monitor,
+                     &MonitorPanel::plot);
     QObject::connect(monitor, &MonitorPanel::plottedChanged, signalList, &SignalsPanel::setPlotted);
     QObject::connect(monitor, &MonitorPanel::addSignalsRequested, signalList, [&docks, signalList] {
         docks.raise(QStringLiteral("signals"));

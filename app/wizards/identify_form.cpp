@@ -12,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
+#include <QTextDocumentFragment>
 #include <QTimer>
 #include <QToolButton>
 
@@ -51,6 +52,11 @@ QWidget* withUnit(QWidget* field, const char* unit, QWidget* parent) {
 /// Of what it shows now, whether or not it has been entered.
 QString problemNow(const widgets::QuantityEdit& box) {
     return box.problemOf(box.text());
+}
+
+/// As a screen reader says it: without access key and mark-up.
+QString plainWords(QString words) {
+    return QTextDocumentFragment::fromHtml(words.remove(QLatin1Char('&'))).toPlainText();
 }
 
 double shown(const widgets::QuantityEdit& box) {
@@ -159,7 +165,7 @@ void IdentifyForm::refreshWords() {
                              tr("&Directions"),
                              tr("Given inertia &J"),
                              tr("Given dampi&ng c"),
-                             tr("Given friction &K_f"),
+                             tr("Given friction K<sub>f</sub>"),
                              tr("Given torque constant \u03c6"),
                              tr("&Seed")};
     const QString helps[] = {tr("First current of the sweep; well above the breakaway current"),
@@ -174,7 +180,7 @@ void IdentifyForm::refreshWords() {
     const auto fieldOf = [this](std::size_t i) -> QWidget* { return m_labels[i]->buddy(); };
     for (std::size_t i = 0; i < m_labels.size(); ++i) {
         m_labels[i]->setText(names[i]);
-        fieldOf(i)->setAccessibleName(QString(names[i]).remove(QLatin1Char('&')));
+        fieldOf(i)->setAccessibleName(plainWords(names[i]));
         if (auto* edit = qobject_cast<widgets::OptionalNumberEdit*>(fieldOf(i))) {
             edit->setExplanation(helps[i]);
             edit->setPlaceholderText(tr("not given"));

@@ -4,6 +4,7 @@
 #include "app/workbench/departure_text.h"
 #include "app/workbench/document_files.h"
 #include "app/workspaces/device/pace_row.h"
+#include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/step_list.h"
 #include "widgets/language/phrasebook.h"
@@ -36,11 +37,8 @@ WizardPanel::WizardPanel(Workbench& bench, QWidget* parent)
     m_steps->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_steps->setFrameShape(QFrame::NoFrame);
     row->addWidget(m_steps);
-    auto* right = new QVBoxLayout;
-    right->setSpacing(widgets::PanelMargin_px);
-    right->addWidget(m_message);
-    right->addWidget(m_pages, 1);
-    row->addLayout(right, 1);
+    row->addWidget(m_pages, 1);
+    (new widgets::FloatingRows(*m_pages, Qt::TopEdge, m_own))->addRow(*m_message);
 }
 
 void WizardPanel::setAlternative(QWidget& other) {

@@ -5,6 +5,7 @@
 #include "widgets/language/phrasebook.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <cmath>
 #include <string_view>
@@ -86,7 +87,89 @@ constexpr Words Signals[] = {
     {"capture.time", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Capture time")},
     {"truth.position", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True angle")},
     {"truth.speed", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True speed")},
+    {"lift", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Lift force")},
+    {"chi_square", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Chi-square")},
+    {"innovation_square", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Squared innovation")},
+    {"current_scale", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Current scale")},
+    {"cell.x", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Cell x")},
+    {"cell.y", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Cell y")},
+    {"chips_left_out", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Sensors left out")},
+    {"channels_left_out", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Channels left out")},
+    {"homed", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Homed")},
+    {"strength", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Field strength")},
+    {"strength.expected", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Expected field strength")},
+    {"shaft.cone95", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Shaft cone (95 %)")},
+    {"orientation.fresh", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Orientation state")},
+    {"integrity", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Integrity code")},
+    {"coil.current", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Coil current")},
+    {"temperature", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Temperature")},
+    {"truth.strength", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True field strength")},
 };
+
+/// Of signals that there are one of for each axis, coil or sensor: %1 is the sign of it.
+constexpr Words Families[] = {
+    {"position.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Position %1")},
+    {"speed.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Speed %1")},
+    {"reference.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Reference %1")},
+    {"command.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Command %1")},
+    {"effort.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Effort %1")},
+    {"truth.position.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True position %1")},
+    {"truth.speed.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True speed %1")},
+    {"truth.effort.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True effort %1")},
+    {"orientation.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Orientation %1")},
+    {"shaft.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Shaft %1")},
+    {"truth.rate.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True rate %1")},
+    {"truth.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "True orientation %1")},
+    {"hall.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Hall %1")},
+    {"current.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Current %1")},
+    {"coil_temperature.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Coil %1")},
+    {"field.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Field %1")},
+    {"residual.", QT_TRANSLATE_NOOP("halbench::app::DisplayQuantity", "Residual %1")},
+};
+
+/// The signs of axes as formulas have them.
+constexpr Words Signs[] = {
+    {"x", "x"},        {"y", "y"},          {"z", "z"},          {"w", "w"},         {"r", "R"},
+    {"phi", "\u03c6"}, {"theta", "\u03b8"}, {"alpha", "\u03b1"}, {"beta", "\u03b2"}, {"gamma", "\u03b3"},
+};
+
+QString signOf(std::string_view axis) {
+    for (const Words& row : Signs) {
+        if (axis == row.name) {
+            return QString::fromUtf8(row.words);
+        }
+    }
+    return {};
+}
+
+/// "x", "x1", "coil3" and "0.phi" as "x", "x1", "3" and "0 \u03c6"; empty for anything else.
+QString memberWords(const std::string& member) {
+    static const QRegularExpression parts(QStringLiteral("^(?:coil(\\d)|(\\d)\\.([a-z]+)|([a-z]+)(\\d?))$"));
+    const QRegularExpressionMatch found = parts.match(QString::fromStdString(member));
+    if (!found.captured(1).isEmpty()) {
+        return found.captured(1);
+    }
+    const bool isOfSensor = !found.captured(2).isEmpty();
+    const QString sign = signOf(found.captured(isOfSensor ? 3 : 4).toStdString());
+    if (sign.isEmpty()) {
+        return {};
+    }
+    return isOfSensor ? found.captured(2) + QChar(QChar::Nbsp) + sign : sign + found.captured(5);
+}
+
+/// Empty for a signal of no family.
+QString familyWords(const std::string& name) {
+    for (const Words& row : Families) {
+        const std::string_view prefix = row.name;
+        if (name.starts_with(prefix)) {
+            const QString member = memberWords(name.substr(prefix.size()));
+            if (!member.isEmpty()) {
+                return QCoreApplication::translate(Context, row.words).arg(member);
+            }
+        }
+    }
+    return {};
+}
 
 } // namespace
 
@@ -120,7 +203,8 @@ QString signalWords(const std::string& name) {
             return QCoreApplication::translate(Context, row.words);
         }
     }
-    return QString::fromStdString(name);
+    const QString family = familyWords(name);
+    return family.isEmpty() ? QString::fromStdString(name) : family;
 }
 
 } // namespace halbench::app

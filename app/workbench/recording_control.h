@@ -109,7 +109,7 @@ private:
     QString m_name;
     QString m_nameMask = QString::fromLatin1(DefaultNameMask);
     QString m_path;
-    double m_rate_Hz = 100.0;
+    double m_rate_Hz = 0.0; ///< 0: that of the plots
     std::shared_ptr<RecordingFeed> m_feed = std::make_shared<RecordingFeed>();
     double m_preTrigger_s = 0.0;
     double m_postTrigger_s = 0.0;

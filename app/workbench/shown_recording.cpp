@@ -49,7 +49,7 @@ void ShownRecording::open(const QString& path) {
 void ShownRecording::cancel() {
     if (isReading()) {
         m_wanted.clear();
-        m_bench.session().disconnectDevice();
+        m_bench.session().closeRecording();
     } else if (m_filling.isActive()) {
         m_filling.stop();
         Q_EMIT ended();

@@ -10,7 +10,7 @@
 
 namespace halbench {
 
-/// What the columns of a block mean. Shared by all blocks of one stream.
+/// Columns of a block: names, units, distance of rows. Shared by all blocks of one stream.
 struct StreamLayout {
     struct Column {
         std::string name; ///< signal name, e.g. "hall.a"

@@ -8,7 +8,7 @@
 
 namespace halbench::devices {
 
-/// What a recording's sidecar NAME.meta.json (of NAME.csv) says of the data beside it.
+/// Sidecar NAME.meta.json of a recording NAME.csv.
 struct RecordingMeta {
     struct SignalNote {
         std::string name;   ///< "hall.a"

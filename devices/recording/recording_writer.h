@@ -15,7 +15,7 @@
 
 namespace halbench::devices {
 
-/// What a file is called until it is complete: "dir/run.csv" -> "dir/run.csv.partial".
+/// Working name of a file until it is complete: "dir/run.csv" -> "dir/run.csv.partial".
 std::string partialPathOf(const std::string& path);
 /// The checksums of that file: "dir/run.csv" -> "dir/run.chunks.partial".
 std::string journalPathOf(const std::string& path);

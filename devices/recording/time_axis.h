@@ -13,7 +13,7 @@ double nominalPeriod(const std::vector<double>& time_s);
 /// Rows missing in the time axis: those that would fill its gaps. Jitter of the stamps is no gap (RowGrid).
 std::uint64_t countLostRows(const std::vector<double>& time_s, double period_s);
 
-/// What the sidecar tells of the distance of rows, and the rows missing by it. Entries that make no sense are
+/// Sets the rates that the sidecar tells, and counts the missing rows by them. Entries that make no sense are
 /// left out: a distance that is not positive, a time that does not increase.
 void setRates(Recording& recording, const std::vector<RateChange>& rates);
 

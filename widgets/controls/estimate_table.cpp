@@ -1,5 +1,6 @@
 #include "widgets/controls/estimate_table.h"
 
+#include "widgets/controls/copy_menu.h"
 #include "widgets/language/display_units.h"
 #include "widgets/theme/theme_style.h"
 
@@ -49,6 +50,7 @@ EstimateTable::EstimateTable(QWidget* parent) : QTableWidget(0, Columns, parent)
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setTabKeyNavigation(false);
+    addCopyMenu(*this);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     verticalHeader()->hide();

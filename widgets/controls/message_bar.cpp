@@ -1,5 +1,6 @@
 #include "widgets/controls/message_bar.h"
 
+#include "widgets/controls/elided_label.h"
 #include "widgets/theme/icons.h"
 
 #include <QAccessible>
@@ -12,6 +13,8 @@
 
 namespace halbench::widgets {
 namespace {
+
+constexpr int LeastLine = 6; ///< characters of one row
 
 Role roleOfSeverity(Severity severity) {
     switch (severity) {
@@ -44,7 +47,8 @@ QString iconOfSeverity(Severity severity) {
 } // namespace
 
 MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), m_symbol(new QLabel(this)), m_words(new QLabel(this)), m_action(new QPushButton(this)),
+    : QFrame(parent), m_symbol(new QLabel(this)), m_words(new QLabel(this)),
+      m_line(new ElidedLabel(LeastLine, this)), m_action(new QPushButton(this)),
       m_close(new QToolButton(this)) {
     setProperty("surface", QStringLiteral("message"));
     m_words->setWordWrap(true);
@@ -59,6 +63,7 @@ MessageBar::MessageBar(QWidget* parent)
     m_body = new QHBoxLayout;
     m_body->setSpacing(PanelMargin_px);
     m_body->addWidget(m_words, 1);
+    m_body->addWidget(m_line, 1);
     m_body->addWidget(m_action);
     row->addLayout(m_body, 1);
     row->addWidget(m_close);
@@ -99,6 +104,10 @@ void MessageBar::refresh() {
     const QString words =
         m_message.remedy.isEmpty() ? m_message.text : m_message.text + QLatin1Char('\n') + m_message.remedy;
     m_words->setText(words);
+    m_words->setVisible(!m_message.isOneRow);
+    m_line->setWords(m_message.text);
+    m_line->setToolTip(words);
+    m_line->setVisible(m_message.isOneRow);
     m_action->setText(m_message.actionText);
     m_action->setToolTip(m_message.remedy.isEmpty() ? m_message.actionText : m_message.remedy);
     m_action->setAccessibleName(m_message.actionText);
@@ -113,6 +122,7 @@ void MessageBar::refresh() {
                                                                 : tr("Message"));
     setAccessibleDescription(words);
     setRole(*this, roleOfSeverity(m_message.severity));
+    arrange();
 }
 
 void MessageBar::changeEvent(QEvent* event) {
@@ -124,8 +134,12 @@ void MessageBar::changeEvent(QEvent* event) {
 
 void MessageBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
+    arrange();
+}
+
+void MessageBar::arrange() {
     constexpr int RoomyLine = 70; // characters beside which an action still fits
-    const bool isNarrow = width() < fontMetrics().averageCharWidth() * RoomyLine;
+    const bool isNarrow = !m_message.isOneRow && width() < fontMetrics().averageCharWidth() * RoomyLine;
     m_body->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 

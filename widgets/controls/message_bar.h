@@ -10,14 +10,17 @@ class QToolButton;
 
 namespace halbench::widgets {
 
+class ElidedLabel;
+
 enum class Severity { Information, Success, Warning, Error };
 
-/// What went wrong, where it belongs: one sentence, the remedy, and the remedy as a button if there is one.
+/// Message in place: one sentence, the remedy, and the remedy as a button if there is one.
 struct Message {
     Severity severity = Severity::Information;
     QString text;
     QString remedy;
-    QString actionText; ///< empty: no button
+    QString actionText;    ///< empty: no button
+    bool isOneRow = false; ///< for a state that lasts: cut to one row, the whole is in the tooltip
 };
 
 /// Shows one message in place; hidden while there is none.
@@ -42,11 +45,13 @@ protected:
 private:
     void leaveFocus();
     void refresh();
+    void arrange();
 
     Message m_message;
     QLabel* m_symbol = nullptr;
     QLabel* m_words = nullptr;
-    QBoxLayout* m_body = nullptr; ///< words and action, side by side where there is room
+    ElidedLabel* m_line = nullptr; ///< in their place for one row
+    QBoxLayout* m_body = nullptr;  ///< words and action, side by side where there is room
     QPushButton* m_action = nullptr;
     QToolButton* m_close = nullptr;
 };

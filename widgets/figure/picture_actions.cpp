@@ -12,7 +12,7 @@ void addPictureActions(QWidget& view, QAction& copy, QAction& save) {
     view.setContextMenuPolicy(Qt::ActionsContextMenu);
     copy.setIcon(themedIcon(QStringLiteral("copy")));
     copy.setShortcut(QKeySequence::Copy);
-    save.setIcon(themedIcon(QStringLiteral("export")));
+    save.setIcon(themedIcon(QStringLiteral("picture")));
     save.setShortcut(QKeySequence(QStringLiteral("Ctrl+E")));
     for (QAction* action : {&copy, &save}) {
         action->setShortcutContext(Qt::WidgetShortcut);

@@ -123,7 +123,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "{}: larger than 256 MB"),
     QT_TRANSLATE_NOOP("Phrases", "give a smaller file"),
     QT_TRANSLATE_NOOP("Phrases", "{}:{}:{}: not valid TOML: {}"),
-    QT_TRANSLATE_NOOP("Phrases", "correct the line; see resources/help/projects.md and command-line.md"),
+    QT_TRANSLATE_NOOP("Phrases", "correct the line or open an earlier copy; the help shows the form of the files"),
     QT_TRANSLATE_NOOP("Phrases", "tags and notes need a recording with a .meta.json file"),
     QT_TRANSLATE_NOOP("Phrases", "name mask, character {}: {}"),
     QT_TRANSLATE_NOOP("Phrases", "allowed are {device}, {name}, {date}, {time} and {number}"),

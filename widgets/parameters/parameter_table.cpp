@@ -1,6 +1,7 @@
 #include "widgets/parameters/parameter_table.h"
 
 #include "widgets/controls/action_button.h"
+#include "widgets/controls/copy_menu.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/parameters/parameter_delegate.h"
@@ -104,6 +105,7 @@ void ParameterTable::createView() {
     m_view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                             QAbstractItemView::AnyKeyPressed | QAbstractItemView::SelectedClicked);
     m_view->setTabKeyNavigation(false);
+    addCopyMenu(*m_view);
     m_view->setIndentation(PanelMargin_px);
     m_view->header()->setStretchLastSection(false);
     m_view->header()->setSectionsMovable(false);
@@ -140,8 +142,8 @@ void ParameterTable::layOut() {
     column->setContentsMargins(PanelMargin_px, PanelMargin_px, PanelMargin_px, PanelMargin_px);
     column->setSpacing(PanelMargin_px);
     column->addLayout(top);
-    column->addWidget(m_messages);
     column->addWidget(m_view, 1);
+    column->addWidget(m_messages); // takes its room from the rows, and moves none of them
     column->addWidget(m_help);
     column->addWidget(m_writeButton, 0, Qt::AlignLeft); // its own row: never squeezed by the others
     column->addLayout(bottom);

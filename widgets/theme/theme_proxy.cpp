@@ -3,10 +3,12 @@
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme_style.h"
 
+#include <QComboBox>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStyleFactory>
 #include <QStyleOption>
+#include <QStyledItemDelegate>
 
 namespace halbench::widgets {
 namespace {
@@ -19,6 +21,15 @@ constexpr int OverflowWidth_px = 26;
 
 ThemeProxy::ThemeProxy(const Theme& theme)
     : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))), m_theme(theme) {}
+
+/// The list of a combo box has Qt's old delegate, which no style sheet reaches: rows as high as the letters.
+void ThemeProxy::polish(QWidget* widget) {
+    QProxyStyle::polish(widget);
+    auto* box = qobject_cast<QComboBox*>(widget);
+    if (box != nullptr && qobject_cast<QStyledItemDelegate*>(box->itemDelegate()) == nullptr) {
+        box->setItemDelegate(new QStyledItemDelegate(box));
+    }
+}
 
 void ThemeProxy::drawBox(const QRect& box, const QStyleOption& option, QPainter& painter) const {
     const bool isEnabled = option.state.testFlag(State_Enabled);

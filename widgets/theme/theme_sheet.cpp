@@ -127,7 +127,7 @@ QLabel[badge="true"][role="armed"] { background: @armed@; color: @onarmed@; bord
 QLabel[badge="true"][role="good"] { color: @good@; border-color: @good@; }
 QLabel[badge="true"][role="bad"] { color: @bad@; border: 2px solid @bad@; padding: 2px 7px; }
 QFrame[surface="panel"] { background: @panel@; border: 1px solid @line@; border-radius: 4px; }
-QFrame[surface="strip"] { background: @panel@; border: none; border-bottom: 1px solid @line@; }
+QFrame[surface="strip"] { background: @window@; border: none; border-bottom: 1px solid @line@; }
 QFrame[surface="strip"][role="armed"] { border-bottom: 3px solid @armed@; }
 QFrame[surface="strip"][role="bad"] { border-bottom: 3px solid @bad@; }
 QFrame[surface="strip"][role="good"] { border-bottom: 3px solid @good@; }

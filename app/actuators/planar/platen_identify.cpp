@@ -1,15 +1,10 @@
 #include "app/actuators/planar/platen_identify.h"
 
 #include "app/actuators/planar/platen_estimate.h"
-#include "app/procedures/base/axis_choice.h"
-#include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
-#include "app/procedures/base/restored_result.h"
+#include "app/procedures/identify/axes_run.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace halbench::app {
 namespace {
@@ -98,12 +93,8 @@ Result<AxesIdentifyResult> measure(devices::Device& device, const IdentifyConfig
     return result;
 }
 
-bool hasMotorOptions(const IdentifyConfig& config) {
-    const IdentifyConfig plain;
-    return config.added || config.directions != plain.directions ||
-           config.sweep.from_A != plain.sweep.from_A || config.sweep.to_A != plain.sweep.to_A ||
-           config.sweep.step_A != plain.sweep.step_A || config.speedLimit_rad_s != plain.speedLimit_rad_s ||
-           config.usableSpeed_rad_s != plain.usableSpeed_rad_s;
+std::vector<std::string> nothingFurther(const devices::Catalogue&) {
+    return {};
 }
 
 } // namespace
@@ -113,23 +104,18 @@ Result<void> setPlatenConstant(IdentifyConfig& config, std::string_view symbol, 
         return failure(ErrorCode::UnknownName, fmt::format("the platen has no constant '{}'", symbol),
                        "known are m (kg) and Iz (kg*m^2)");
     }
-    if (!std::isfinite(value)) {
-        return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", symbol), {});
-    }
-    if (value <= 0.0) {
-        return failure(ErrorCode::OutOfRange, fmt::format("{} = {} must be positive", symbol, value), {});
+    if (const auto valid = checkGivenInertia(symbol, value); !valid) {
+        return valid;
     }
     config.constants.push_back({std::string(symbol), value});
     return {};
 }
 
 Result<void> checkPlatenIdentify(const devices::Catalogue& catalogue, const IdentifyConfig& config) {
-    if (const auto axes = chosenAxes(catalogue, config.axis); !axes) {
-        return failure(axes.error());
-    }
-    if (hasMotorOptions(config)) {
-        return failure(ErrorCode::Usage, "a sweep of currents, directions or added inertia are for a motor",
-                       "leave them out; this device takes an axis and a given m or Iz");
+    if (const auto fits = checkAxesOptions(catalogue, config,
+                                           "leave them out; this device takes an axis and a given m or Iz");
+        !fits) {
+        return fits;
     }
     if (config.constants.size() > 1) {
         return failure(ErrorCode::Usage, "one given constant is enough: m or Iz",
@@ -147,30 +133,7 @@ IdentifyPrediction predictPlatenIdentify(const IdentifyConfig&, double start_deg
 
 Result<IdentifyOutcome> identifyPlaten(devices::Device& device, const IdentifyConfig& config,
                                        const ProcedureObserver& observer) {
-    if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
-        return failure(offered.error());
-    }
-    if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {
-        return failure(entered.error());
-    }
-    if (auto checked = checkPlatenIdentify(device.catalogue(), config); !checked) {
-        return failure(checked.error());
-    }
-    auto guard = RestoreGuard::take(device);
-    if (!guard) {
-        return failure(guard.error());
-    }
-    const MeasuredTiming timing = timingOf(device.catalogue(), guard->snapshot());
-    const auto axes = chosenAxes(device.catalogue(), config.axis);
-    auto result = restoredResult(*guard, measure(device, config, observer, *axes, timing));
-    if (!result) {
-        (void)enterState(observer, ProcedureState::Restored);
-        return failure(result.error());
-    }
-    if (auto entered = enterState(observer, ProcedureState::Done); !entered) {
-        return failure(entered.error());
-    }
-    return IdentifyOutcome(*std::move(result));
+    return runAxes({checkPlatenIdentify, nothingFurther, measure}, device, config, observer);
 }
 
 } // namespace halbench::app

@@ -5,13 +5,31 @@
 #include "app/actuators/spherical/sensing_procedures.h"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace halbench::app {
 
+namespace {
+
+std::vector<Actuator>& table() {
+    static std::vector<Actuator> rows{motorActuator(), platenActuator(), sensingActuator()};
+    return rows;
+}
+
+} // namespace
+
 std::span<const Actuator> actuators() {
-    static const std::array Rows = {motorActuator(), platenActuator(), sensingActuator()};
-    return Rows;
+    return table();
+}
+
+void addActuator(const Actuator& actuator) {
+    const auto known = std::find_if(table().begin(), table().end(),
+                                    [&](const Actuator& row) { return row.model == actuator.model; });
+    if (known != table().end()) {
+        *known = actuator;
+    } else {
+        table().push_back(actuator);
+    }
 }
 
 const Actuator& actuatorOf(std::string_view model) {

@@ -62,7 +62,7 @@ Result<ConfigNode> parseToml(const std::string& text, const std::string& origin)
         return failure(ErrorCode::InvalidInput,
                        fmt::format("{}:{}:{}: not valid TOML: {}", origin, place.line, place.column,
                                    error.description()),
-                       "correct the line; see resources/help/projects.md and command-line.md");
+                       "correct the line or open an earlier copy; the help shows the form of the files");
     }
 }
 

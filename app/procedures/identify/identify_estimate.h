@@ -15,7 +15,7 @@ struct MissingForces {
     bool isTaken = false; ///< they change the constants: `motion` and `balance` are those with the terms
 };
 
-/// What a recording of run-ups, plateaus and coast-downs gave, before it is judged.
+/// Fits of a recording of run-ups, plateaus and coast-downs, before they are judged.
 struct IdentifyFits {
     std::optional<control::MotionFit> motion;
     std::optional<control::BalanceFit> balance;

@@ -4,8 +4,8 @@
 
 namespace halbench::app {
 
-/// What the columns themselves show before any value counts: an angle that wraps (a finding), a speed where
-/// the angle belongs, plateaus that turn against their current (both refused: false, no value is left).
+/// Columns that show a fault by themselves, before any value counts: an angle that wraps (a finding), a speed
+/// where the angle belongs, plateaus that turn against their current (both refused: false, no value is left).
 bool judgeColumns(IdentifyResult& result, const IdentifyFits& fits);
 
 /// Currents that the board of the recording cannot have commanded or, where its limit is not known, that no

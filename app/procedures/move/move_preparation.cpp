@@ -193,6 +193,10 @@ Result<void> setMoveWindows(devices::Device& device, const MoveTask& task) {
     if (task.second) {
         windows.push_back({parameterOf(catalogue, task.second->roles.positionWindow), task.window});
     }
+    // A board whose windows are always on has no switch for them.
+    std::erase_if(windows, [&catalogue](const ParameterValue& value) {
+        return value.name.ends_with("_enabled") && catalogue.findParameter(value.name) == nullptr;
+    });
     return device.writeParameters(windows);
 }
 
@@ -220,7 +224,7 @@ Result<void> setMoveGenerator(devices::Device& device, const MoveConfig& config,
 Result<void> prepareMove(devices::Device& device, const MoveConfig& config, const devices::AxisSpec& axis,
                          const ProcedureObserver& observer) {
     MovePrediction prediction{config.duration_s, 0.0, 0.0};
-    if (axis.effortUnit == "A") {
+    if (axis.effortUnit == "A" && device.catalogue().axes.size() < 2) {
         const auto law = readPositionLaw(device);
         if (!law) {
             return failure(law.error());

@@ -24,6 +24,24 @@ namespace {
 /// Of the arrangement files; raised when panels change so that an old arrangement no longer fits.
 constexpr int ArrangementVersion = 2;
 
+/// What the docking library asks translations for, from the menus and tool tips of its tabs.
+[[maybe_unused]] constexpr const char* LibraryWords[] = {
+    QT_TRANSLATE_NOOP("QObject", "List All Tabs"),
+    QT_TRANSLATE_NOOP("QObject", "Detach Group"),
+    QT_TRANSLATE_NOOP("QObject", "Close Active Tab"),
+    QT_TRANSLATE_NOOP("QObject", "Close Group"),
+    QT_TRANSLATE_NOOP("QObject", "Close Tab"),
+    QT_TRANSLATE_NOOP("ads::CDockAreaTitleBar", "List All Tabs"),
+    QT_TRANSLATE_NOOP("ads::CDockAreaTitleBar", "Detach Group"),
+    QT_TRANSLATE_NOOP("ads::CDockAreaTitleBar", "Close Active Tab"),
+    QT_TRANSLATE_NOOP("ads::CDockAreaTitleBar", "Close Group"),
+    QT_TRANSLATE_NOOP("ads::CDockAreaTitleBar", "Close Other Groups"),
+    QT_TRANSLATE_NOOP("ads::CDockWidgetTab", "Detach"),
+    QT_TRANSLATE_NOOP("ads::CDockWidgetTab", "Close"),
+    QT_TRANSLATE_NOOP("ads::CDockWidgetTab", "Close Others"),
+    QT_TRANSLATE_NOOP("ads::CDockWidgetTab", "Close Tab"),
+};
+
 ads::DockWidgetArea dockArea(PanelArea area) {
     switch (area) {
     case PanelArea::Left:
@@ -48,7 +66,7 @@ void configureDocking() {
     Manager::setConfigFlag(Manager::XmlCompressionEnabled, false); // layouts that can be compared,
     Manager::setConfigFlag(Manager::XmlAutoFormattingEnabled);     // line by line
     Manager::iconProvider().registerCustomIcon(ads::DockAreaMenuIcon, widgets::themedIcon("chevron-down"));
-    Manager::iconProvider().registerCustomIcon(ads::DockAreaUndockIcon, widgets::themedIcon("export"));
+    Manager::iconProvider().registerCustomIcon(ads::DockAreaUndockIcon, widgets::themedIcon("detach"));
 }
 
 bool isIn(const PanelSpec& spec, Perspective perspective) {

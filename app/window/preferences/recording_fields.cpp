@@ -161,7 +161,7 @@ void RecordingFields::showPlan() {
         Q_EMIT changed();
         return;
     }
-    m_plan->setText(tr("Checking recordings …"));
+    m_plan->setText(tr("Checking recordings…"));
     m_planning.run([folder = m_bench.recording().folder(), wanted,
                     now = m_bench.now()] { return planRetention(folder, wanted, now); },
                    [this](const RetentionPlan& plan) { say(plan); });

@@ -7,6 +7,7 @@
 #include "app/workspaces/parts/field_grid.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/parts/signal_box.h"
+#include "widgets/controls/copy_menu.h"
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/figure/figure_view.h"
 #include "widgets/language/display_units.h"
@@ -143,6 +144,7 @@ void SpectrumPanel::buildPeaks(QWidget* parent) {
     m_peaks->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_peaks->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_peaks->setTabKeyNavigation(false);
+    widgets::addCopyMenu(*m_peaks);
     m_peaks->verticalHeader()->hide();
     m_peaks->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_peaks->setFont(widgets::tabularFont(m_peaks->font()));

@@ -23,8 +23,8 @@ ConfigurationPanel::ConfigurationPanel(Workbench& bench, QWidget* parent, const 
     : QWidget(parent), m_bench(bench), m_backups(backups) {
     QVBoxLayout* column = makePanelColumn(this);
     m_save = makeButton(
-        {tr("Save settings …"), tr("Save all device settings to a file"), QStringLiteral("save")}, this);
-    m_open = makeButton({tr("Compare with …"), tr("Compare a file with the device; nothing is written yet"),
+        {tr("Save settings…"), tr("Save all device settings to a file"), QStringLiteral("save")}, this);
+    m_open = makeButton({tr("Compare with…"), tr("Compare a file with the device; nothing is written yet"),
                          QStringLiteral("open")},
                         this);
     auto* files = new QHBoxLayout;
@@ -57,7 +57,7 @@ QWidget* ConfigurationPanel::buildEmpty() {
     empty->setWords(tr("No configuration file is open"),
                     tr("A file is compared with the device row by row. Tick rows to restore them. The "
                        "present device settings are saved first."),
-                    tr("Compare with a file …"));
+                    tr("Compare with a file…"));
     connect(empty, &widgets::EmptyState::actionTriggered, this, &ConfigurationPanel::open);
     return empty;
 }

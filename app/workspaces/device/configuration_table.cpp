@@ -1,5 +1,6 @@
 #include "app/workspaces/device/configuration_table.h"
 
+#include "widgets/controls/copy_menu.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
 
@@ -31,6 +32,7 @@ ConfigurationTable::ConfigurationTable(QWidget* parent) : QTreeWidget(parent) {
     }
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setStretchLastSection(true);
+    widgets::addCopyMenu(*this);
     connect(this, &QTreeWidget::itemChanged, this, &ConfigurationTable::ticksChanged);
     connect(this, &QTreeWidget::currentItemChanged, this, &ConfigurationTable::tellReason);
 }

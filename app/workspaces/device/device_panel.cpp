@@ -258,8 +258,25 @@ void DevicePanel::connectAddress() {
 void DevicePanel::toggleConnection() {
     if (m_bench.session().state() == SessionState::Disconnected) {
         connectAddress();
+    } else if (!m_bench.session().heldDevice().isEmpty()) {
+        m_bench.session().closeRecording();
     } else {
         m_bench.session().disconnectDevice();
+    }
+}
+
+DevicePanel::ConnectWords DevicePanel::connectWords() const {
+    const DeviceSession& session = m_bench.session();
+    if (!session.heldDevice().isEmpty()) {
+        return {tr("&Back"), tr("Close the recording, back to %1 (Alt+B)").arg(session.heldDevice())};
+    }
+    switch (session.state()) {
+    case SessionState::Disconnected:
+        return {tr("&Connect"), tr("Connect the device (Alt+C)")};
+    case SessionState::Reconnecting:
+        return {tr("Dis&connect"), tr("Stop searching for the device (Alt+C)")};
+    default:
+        return {tr("Dis&connect"), tr("Stop, disarm and disconnect (Alt+C)")};
     }
 }
 
@@ -282,12 +299,10 @@ void DevicePanel::refresh() {
     m_address->setEnabled(isFree);
     m_description->setEnabled(isFree);
     m_connect->setEnabled(session.state() != SessionState::Leaving);
-    m_connect->setText(isFree ? tr("&Connect") : tr("Dis&connect"));
+    const ConnectWords words = connectWords();
+    m_connect->setText(words.text);
     m_connect->setIcon(widgets::themedIcon(isFree ? "connect" : "disconnect"));
-    m_connect->setToolTip(isFree ? tr("Connect the device (Alt+C)")
-                          : session.state() == SessionState::Reconnecting
-                              ? tr("Stop searching for the device (Alt+C)")
-                              : tr("Stop, disarm and disconnect (Alt+C)"));
+    m_connect->setToolTip(words.tip);
     if (session.state() == SessionState::Connected) {
         remember();
     }
@@ -302,10 +317,10 @@ void DevicePanel::refresh() {
 QString DevicePanel::identityText() const {
     const DeviceSession& session = m_bench.session();
     if (session.state() == SessionState::Leaving) {
-        return tr("Stopping and disarming …");
+        return tr("Stopping and disarming…");
     }
     if (session.state() == SessionState::Reconnecting) {
-        return tr("Connection lost. Reconnecting to %1 …").arg(words(session.info().id));
+        return tr("Connection lost. Reconnecting to %1…").arg(words(session.info().id));
     }
     if (session.state() != SessionState::Connected) {
         return {};

@@ -23,7 +23,7 @@ class MessageBar;
 
 namespace halbench::app {
 
-/// What can be connected, the address in use, the speed of simulated time, and what the device says it is.
+/// Devices that can be connected, the address in use, and the identity that the connected one states.
 class DevicePanel : public QWidget {
     Q_OBJECT
 
@@ -52,6 +52,11 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    struct ConnectWords { ///< of the button
+        QString text;
+        QString tip;
+    };
+
     void buildChooser(QVBoxLayout* column);
     void buildIdentity(QVBoxLayout* column);
     void takeDevices(std::vector<devices::DeviceListing> list);
@@ -64,6 +69,7 @@ private:
     void chooseRow(int row);
     void chooseDescription();
     void refresh();
+    ConnectWords connectWords() const;
     QString identityText() const;
     void onFailed(const QString& text, const QString& hint);
 

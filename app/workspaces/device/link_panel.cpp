@@ -1,5 +1,7 @@
 #include "app/workspaces/device/link_panel.h"
 
+#include "app/workbench/pace_steps.h"
+#include "app/workbench/shown_recording.h"
 #include "widgets/controls/elided_label.h"
 #include "widgets/language/display_units.h"
 #include "widgets/theme/theme_style.h"
@@ -23,6 +25,10 @@ LinkPanel::LinkPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_ben
     m_link->setToolTip(
         tr("Packets per second (device time), lost, damaged, response time median and maximum"));
     m_link->setFont(widgets::tabularFont(font()));
+    m_stream = new widgets::ElidedLabel(LeastLine, this);
+    m_stream->setAccessibleName(tr("Signals sent to the plots"));
+    m_stream->setFont(m_link->font());
+    widgets::setRole(*m_stream, widgets::Role::Muted);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(widgets::PanelMargin_px, 0, widgets::PanelMargin_px, 0);
     row->setSpacing(widgets::GroupSpacing_px);
@@ -36,9 +42,12 @@ LinkPanel::LinkPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_ben
     m_line->setAccessibleDescription(tr("Last message of the log"));
     row->addWidget(m_log);
     row->addWidget(m_line, 1);
+    row->addWidget(m_stream);
     row->addWidget(m_link);
     connect(&m_bench.session(), &DeviceSession::reportChanged, this, &LinkPanel::refresh);
     connect(&m_bench.session(), &DeviceSession::stateChanged, this, &LinkPanel::refresh);
+    connect(&m_bench.liveSignals(), &LiveSignals::changed, this, &LinkPanel::refresh);
+    connect(&m_bench.shownRecording(), &ShownRecording::changed, this, &LinkPanel::refresh);
     refresh();
 }
 
@@ -49,7 +58,31 @@ void LinkPanel::showLine(MessageLevel level, const QString& text) {
                                                                : widgets::Role::Muted);
 }
 
+QString LinkPanel::streamWords() const {
+    const LiveSignals& live = m_bench.liveSignals();
+    const ShownRecording& shown = m_bench.shownRecording();
+    const bool isVirtual =
+        m_bench.session().info().isSimulated && m_bench.session().pace().speed_ratio <= 0.0;
+    if (shown.file() != nullptr) {
+        return tr("recording of %1 s").arg(widgets::fixedText(shown.length_s(), 2));
+    }
+    if (live.streamed().empty()) {
+        return tr("no signals");
+    }
+    if (isVirtual) {
+        return tr("time advances only during a procedure");
+    }
+    const QString words =
+        tr("%n signal(s), %1 Hz, samples lost: %2", nullptr, static_cast<int>(live.streamed().size()))
+            .arg(widgets::fixedText(live.rate_Hz(), 0), widgets::countText(m_bench.history().lostRows()));
+    const double pace_ratio = m_bench.pace().speed_ratio;
+    return canBePaced(m_bench) && pace_ratio != 1.0
+               ? QStringLiteral("%1, %2").arg(words, paceWords(pace_ratio))
+               : words;
+}
+
 void LinkPanel::refresh() {
+    m_stream->setWords(streamWords());
     const DeviceSession& session = m_bench.session();
     if (session.state() != SessionState::Connected) {
         m_link->setWords(session.state() == SessionState::Connecting     ? tr("link: connecting")

@@ -26,11 +26,13 @@ Q_SIGNALS:
     void logRequested();
 
 private:
+    QString streamWords() const; ///< rate and lost samples of what comes to the plots
     void refresh();
 
     Workbench& m_bench;
     widgets::ElidedLabel* m_line = nullptr;
     QToolButton* m_log = nullptr;
+    widgets::ElidedLabel* m_stream = nullptr;
     widgets::ElidedLabel* m_link = nullptr;
     std::uint64_t m_packets = 0;
     double m_time_s = 0.0;

@@ -228,11 +228,13 @@ void DrivePanel::refreshStop() {
         words.what = tr("Stopped while disarmed");
     }
     if (!words.what.isEmpty()) {
-        const QString action = m_control.canRelease() ? tr("Release the stop") : QString();
+        const QString action = m_control.canRelease() ? tr("Release") : QString();
         const widgets::Message& shown = m_message->message();
         if (m_asking != Asking::Release || shown.text != words.what || shown.actionText != action) {
             m_asking = Asking::Release;
-            m_message->showMessage({widgets::Severity::Error, words.what, words.remedy, action});
+            // A fault says what to do first; a stop is only released.
+            const bool isOneRow = m_bench.session().report().board.fault == 0;
+            m_message->showMessage({widgets::Severity::Error, words.what, words.remedy, action, isOneRow});
         }
     } else if (m_asking == Asking::Release || (m_asking == Asking::Consent && !m_control.isAvailable())) {
         m_asking = Asking::Nothing;

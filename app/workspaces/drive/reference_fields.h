@@ -24,7 +24,7 @@ struct ReferenceRange {
     int decimals;
 };
 
-/// What is said of a field and what it may be; words in the translator's context of ReferenceForm.
+/// Texts and limits of a field; words in the translator's context of ReferenceForm.
 struct ReferenceFieldSpec {
     ReferenceField field;
     const char* title;
@@ -33,6 +33,7 @@ struct ReferenceFieldSpec {
     const char* currentUnit;
     ReferenceRange angle; ///< of angles and speeds in degrees
     ReferenceRange current;
+    const char* currentTitle = nullptr; ///< in the other modes, where it is another
 };
 
 /// In the order of the form. The limits are the board's: resources/help/protocol.md 3.15.

@@ -53,7 +53,7 @@ void ReferenceForm::addNumber(Field field) {
     m_numbers[field] = box;
     m_checks[field] = new NumberCheck(*box);
     connect(m_checks.at(field), &NumberCheck::refused, this, &ReferenceForm::refused);
-    label(box, tr(referenceField(field).title));
+    label(box, titleOf(field));
     connect(box, QOverload<double>::of(&widgets::QuantityEdit::valueChanged), this, &ReferenceForm::changed);
 }
 
@@ -90,6 +90,11 @@ DisplayQuantity ReferenceForm::shownAs(Field field) const {
     return {{}, unit, 1.0, (isPosition() ? spec.angle : spec.current).decimals, 1.0};
 }
 
+QString ReferenceForm::titleOf(Field field) const {
+    const ReferenceFieldSpec& spec = referenceField(field);
+    return tr(isPosition() || spec.currentTitle == nullptr ? spec.title : spec.currentTitle);
+}
+
 void ReferenceForm::dress(Field field) {
     const ReferenceFieldSpec& spec = referenceField(field);
     const DisplayQuantity shown = shownAs(field);
@@ -99,7 +104,8 @@ void ReferenceForm::dress(Field field) {
         range = {degree * range.min * shown.factor, degree * range.max * shown.factor, 0.0,
                  shownStep(shown, degree * range.step), shown.decimals};
     }
-    dressNumberField(*m_numbers.at(field), {tr(spec.title), tr(spec.help), shown.unit, range.decimals,
+    m_labels.at(m_numbers.at(field))->setText(titleOf(field));
+    dressNumberField(*m_numbers.at(field), {titleOf(field), tr(spec.help), shown.unit, range.decimals,
                                             range.min, range.max, range.step});
 }
 

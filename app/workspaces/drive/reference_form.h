@@ -56,6 +56,7 @@ private:
     void refresh();
     void fillShapes();
     void dress(Field field);
+    QString titleOf(Field field) const;
     DisplayQuantity shownAs(Field field) const;
     double valueOf(Field field) const; ///< SI
     MoveReference reference() const;

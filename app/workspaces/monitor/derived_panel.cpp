@@ -1,7 +1,10 @@
 #include "app/workspaces/monitor/derived_panel.h"
 
+#include "app/workbench/display_quantity.h"
+#include "app/workspaces/monitor/expression_edit.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "control/base/unit_text.h"
+#include "widgets/controls/copy_menu.h"
 #include "widgets/language/phrasebook.h"
 
 #include <QHBoxLayout>
@@ -9,17 +12,33 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace halbench::app {
 
 namespace {
 
 enum Column { Name, Expression, Unit, State, Columns };
+
+/// As they are written, and in words.
+std::vector<std::pair<QString, QString>> functions() {
+    return {{QStringLiteral("sin("), DerivedPanel::tr("sine of an angle in rad")},
+            {QStringLiteral("cos("), DerivedPanel::tr("cosine of an angle in rad")},
+            {QStringLiteral("atan2("), DerivedPanel::tr("angle of the point (x, y): atan2(y, x)")},
+            {QStringLiteral("sqrt("), DerivedPanel::tr("square root")},
+            {QStringLiteral("abs("), DerivedPanel::tr("absolute value")},
+            {QStringLiteral("exp("), DerivedPanel::tr("exponential function")},
+            {QStringLiteral("ln("), DerivedPanel::tr("natural logarithm")},
+            {QStringLiteral("min("), DerivedPanel::tr("smaller of two values")},
+            {QStringLiteral("max("), DerivedPanel::tr("larger of two values")},
+            {QStringLiteral("pi"), DerivedPanel::tr("ratio of circumference to diameter")}};
+}
 
 QString unitWords(const std::string& symbol) {
     return QString::fromStdString(unitText(symbol));
@@ -44,13 +63,19 @@ DerivedPanel::DerivedPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_list->verticalHeader()->hide();
     m_list->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_list->horizontalHeader()->setStretchLastSection(true);
+    widgets::addCopyMenu(*m_list);
     column->addWidget(m_list, 1);
+    buildEmpty();
+    column->addWidget(m_empty, 1);
     connect(m_list, &QTableWidget::cellActivated, this, [this](int row) { edit(row); });
     connect(m_list, &QTableWidget::itemSelectionChanged, this,
             [this] { m_remove->setEnabled(m_list->currentRow() >= 0); });
     connect(&m_bench, &Workbench::derivedSignalsChanged, this, &DerivedPanel::showList);
-    connect(&m_bench, &Workbench::deviceChanged, this,
-            &DerivedPanel::showList); // what waited is computed now
+    connect(&m_bench, &Workbench::deviceChanged, this, [this] {
+        takeWords();
+        showList(); // what waited is computed now
+    });
+    takeWords();
     showList();
 }
 
@@ -59,15 +84,21 @@ QWidget* DerivedPanel::buildFields() {
     auto* row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(widgets::GridStep_px);
-    m_name =
-        addField(tr("Name"), tr("Name in the signal tree: letters, digits, dots, underscores"), 12, *row);
-    m_expression = addField(tr("Expression"),
-                            tr("Signal names in SI units, e.g. current.a^2 + current.b^2; + - * / ^, sin, "
-                               "cos, atan2, sqrt, abs, exp, ln, min, max, pi. Enter adds it"),
-                            30, *row);
-    m_unit = addField(
-        tr("Unit"), tr("Unit of the result, e.g. rad, rad/s, T, A, degC; empty: derived from the expression"),
-        8, *row);
+    m_name = new QLineEdit(this);
+    m_expression = new ExpressionEdit(this);
+    m_unit = new QLineEdit(this);
+    addField(m_name, tr("Name"), tr("Name in the signal tree: letters, digits, dots, underscores"), 12, *row);
+    addField(m_expression, tr("Expression"), tr("Signals in SI units, e.g. current.a^2 (Enter adds it)"), 30,
+             *row);
+    addField(m_unit, tr("Unit"),
+             tr("Unit of the result, e.g. rad, rad/s, T, A, degC; empty: derived from the expression"), 8,
+             *row);
+    QPushButton* insert =
+        makeButton({tr("Insert"), tr("Insert a signal or a function into the expression"), {}}, box);
+    m_insert = new QMenu(insert);
+    insert->setMenu(m_insert);
+    connect(m_insert, &QMenu::aboutToShow, this, &DerivedPanel::fillInsertMenu);
+    row->insertWidget(row->indexOf(m_expression) + 1, insert);
     m_keep = makeButton({tr("Add"), tr("Add the signal; computed from now on (Enter)"), {}}, box);
     m_remove = makeButton({tr("Remove"), tr("Remove the selected signal (Delete)"), {}}, box);
     m_remove->setEnabled(false);
@@ -78,10 +109,9 @@ QWidget* DerivedPanel::buildFields() {
     return box;
 }
 
-QLineEdit* DerivedPanel::addField(const QString& title, const QString& toolTip, int characters,
-                                  QHBoxLayout& row) {
+void DerivedPanel::addField(QLineEdit* field, const QString& title, const QString& toolTip, int characters,
+                            QHBoxLayout& row) {
     auto* label = new QLabel(title, this);
-    auto* field = new QLineEdit(this);
     label->setBuddy(field);
     field->setAccessibleName(title);
     field->setToolTip(toolTip);
@@ -90,7 +120,43 @@ QLineEdit* DerivedPanel::addField(const QString& title, const QString& toolTip, 
     row.addWidget(field, characters);
     connect(field, &QLineEdit::textChanged, this, &DerivedPanel::check);
     connect(field, &QLineEdit::returnPressed, this, &DerivedPanel::keep);
-    return field;
+}
+
+void DerivedPanel::buildEmpty() {
+    m_empty = makeNote(this);
+    m_empty->setText(tr("No derived signals yet. Example: name power, expression current.a^2 + current.b^2.\n"
+                        "Type a part of a signal's name to choose it, or drag it here from the signals."));
+}
+
+/// Signals of the device with both their names, then the functions.
+void DerivedPanel::takeWords() {
+    std::vector<ExpressionWord> words;
+    for (const SignalSpec& spec : m_bench.session().catalogue().signals) {
+        words.push_back({QString::fromStdString(spec.name), signalWords(spec.name)});
+    }
+    for (const auto& [text, title] : functions()) {
+        words.push_back({text, title});
+    }
+    m_expression->setWords(words);
+}
+
+void DerivedPanel::fillInsertMenu() {
+    m_insert->clear();
+    QMenu* list = m_insert->addMenu(tr("Signal"));
+    const auto add = [this](QMenu& menu, const QString& text, const QString& title) {
+        menu.addAction(QStringLiteral("%1\t%2").arg(title, text), this, [this, text] {
+            m_expression->insert(text);
+            m_expression->setFocus(Qt::OtherFocusReason);
+        });
+    };
+    for (const SignalSpec& spec : m_bench.session().catalogue().signals) {
+        add(*list, QString::fromStdString(spec.name), signalWords(spec.name));
+    }
+    list->setEnabled(!list->isEmpty());
+    QMenu* calls = m_insert->addMenu(tr("Function"));
+    for (const auto& [text, title] : functions()) {
+        add(*calls, text, title);
+    }
 }
 
 devices::DerivedSignal DerivedPanel::typed() const {
@@ -122,13 +188,17 @@ void DerivedPanel::keep() {
     const auto same = std::find_if(list.begin(), list.end(), [&](const devices::DerivedSignal& one) {
         return one.name == derived.name;
     });
-    if (same != list.end()) {
-        *same = derived;
-    } else {
+    const bool isNew = same == list.end();
+    if (isNew) {
         list.push_back(derived);
+    } else {
+        *same = derived;
     }
     m_bench.setDerivedSignals(std::move(list));
-    for (QLineEdit* field : {m_name, m_expression, m_unit}) {
+    if (isNew) {
+        Q_EMIT plotRequested(QString::fromStdString(derived.name), true);
+    }
+    for (QLineEdit* field : std::initializer_list<QLineEdit*>{m_name, m_expression, m_unit}) {
         field->clear();
     }
     m_name->setFocus();
@@ -153,6 +223,8 @@ void DerivedPanel::edit(int row) {
 
 void DerivedPanel::showList() {
     const std::vector<devices::DerivedSignal>& list = m_bench.derivedSignals();
+    m_list->setVisible(!list.empty());
+    m_empty->setVisible(list.empty());
     m_list->setRowCount(static_cast<int>(list.size()));
     for (int row = 0; row < m_list->rowCount(); ++row) {
         const devices::DerivedSignal& derived = list[static_cast<std::size_t>(row)];

@@ -5,12 +5,15 @@
 #include <QWidget>
 
 class QHBoxLayout;
+class QMenu;
 class QLabel;
 class QLineEdit;
 class QPushButton;
 class QTableWidget;
 
 namespace halbench::app {
+
+class ExpressionEdit;
 
 /// Signals computed from those of the device by an expression; once kept they are in the tree of signals
 /// (resources/help/monitor.md, "Derived signals").
@@ -20,12 +23,19 @@ class DerivedPanel : public QWidget {
 public:
     explicit DerivedPanel(Workbench& bench, QWidget* parent = nullptr);
 
+Q_SIGNALS:
+    void plotRequested(const QString& name, bool isPlotted); ///< of a signal that was added
+
 protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
     QWidget* buildFields();
-    QLineEdit* addField(const QString& title, const QString& toolTip, int characters, QHBoxLayout& row);
+    void addField(QLineEdit* field, const QString& title, const QString& toolTip, int characters,
+                  QHBoxLayout& row);
+    void buildEmpty();
+    void fillInsertMenu();
+    void takeWords();
     devices::DerivedSignal typed() const;
     void check();
     void keep();
@@ -35,12 +45,14 @@ private:
 
     Workbench& m_bench;
     QLineEdit* m_name = nullptr;
-    QLineEdit* m_expression = nullptr;
+    ExpressionEdit* m_expression = nullptr;
     QLineEdit* m_unit = nullptr;
     QPushButton* m_keep = nullptr;
     QPushButton* m_remove = nullptr;
     QLabel* m_problem = nullptr;
     QTableWidget* m_list = nullptr;
+    QLabel* m_empty = nullptr;
+    QMenu* m_insert = nullptr;
 };
 
 } // namespace halbench::app

@@ -17,6 +17,7 @@
 #include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/parts/signal_box.h"
 #include "widgets/controls/empty_state.h"
+#include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
@@ -37,11 +38,7 @@
 
 namespace halbench::app {
 
-namespace {
-
-constexpr int ValuesPeriod_ms = 100;
-
-} // namespace
+namespace {} // namespace
 
 MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent, Rank rank)
     : QWidget(parent), m_bench(bench), m_rank(rank), m_isInUse(rank == Rank::First) {
@@ -83,8 +80,8 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent, Rank rank)
         connect(m_trigger, &MonitorTrigger::liveMarkersChanged, this, &MonitorPanel::onMarkers);
     }
     m_recording = new MonitorRecording(m_bench, *m_stack, *m_message, *this);
-    column->addWidget(m_message);
     column->addWidget(m_stack, 1);
+    (new widgets::FloatingRows(*m_stack, Qt::TopEdge, plots))->addRow(*m_message);
     if (isFirst()) {
         column->addWidget(&(new MonitorForecast(m_bench, *m_stack, *this))->row());
     }
@@ -99,7 +96,6 @@ MonitorPanel::MonitorPanel(Workbench& bench, QWidget* parent, Rank rank)
     connect(m_empty, &widgets::EmptyState::actionTriggered, this, &MonitorPanel::connectRequested);
     connectBench();
     addPaceKeys(m_bench, *this);
-    m_values.start(ValuesPeriod_ms);
     refreshWords();
     onDevice();
 }
@@ -111,7 +107,6 @@ void MonitorPanel::connectBench() {
     connect(&m_bench, &Workbench::derivedSignalsChanged, this, &MonitorPanel::onDerived);
     connect(&m_bench.freshness(), &Freshness::changed, this,
             [this] { m_stack->setStale(m_bench.freshness().words()); });
-    connect(&m_values, &QTimer::timeout, this, &MonitorPanel::refreshStream);
     connect(&m_bench.liveSignals(), &LiveSignals::changed, this, &MonitorPanel::sayLeftOut);
     if (isFirst()) {
         connect(m_rate, &MonitorRate::changed, this, &MonitorPanel::sayLeftOut);
@@ -146,10 +141,6 @@ QWidget* MonitorPanel::buildTools() {
     auto* space = new QWidget(bar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     bar->addWidget(space);
-    m_stream = new QLabel(bar);
-    m_stream->setToolTip(tr("Signals sent to the plots"));
-    widgets::setRole(*m_stream, widgets::Role::Muted);
-    bar->addWidget(m_stream);
     return bar;
 }
 
@@ -328,12 +319,6 @@ void MonitorPanel::refreshWords() {
         tr("No live data"),
         tr("Connect a device to see live data: choose one on the left, or try the simulated motor."),
         tr("Connect the simulated motor"), QStringLiteral("Ctrl+Shift+S"));
-}
-
-void MonitorPanel::refreshStream() {
-    if (isVisible()) {
-        m_stream->setText(m_recording->streamWords());
-    }
 }
 
 void MonitorPanel::changeEvent(QEvent* event) {

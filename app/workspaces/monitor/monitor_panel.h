@@ -5,7 +5,6 @@
 #include "app/workspaces/monitor/monitor_view.h"
 #include "widgets/live_plot/plot_marker.h"
 
-#include <QTimer>
 #include <QWidget>
 
 #include <set>
@@ -34,7 +33,7 @@ class MonitorTrigger;
 class RecordedMarkers;
 class SignalBox;
 
-/// What the device does, over time, in stacked plots (resources/help/monitor.md, "Plots"). A further one
+/// Stacked plots of the signals over time (resources/help/monitor.md, "Plots"). A further one
 /// beside the first has plots and a time axis of its own on the same samples; the trigger, the live rate,
 /// derived signals and cursors of a project are the first one's. All have the same markers, once they are
 /// connected to each other; the first one keeps them in recordings.
@@ -89,7 +88,6 @@ private:
     void forgetMissing();
     void sayLeftOut();
     void onMarkers();
-    void refreshStream();
     void refreshWords();
 
     Workbench& m_bench;
@@ -109,8 +107,6 @@ private:
     RecordedMarkers* m_recorded = nullptr; ///< null in a further one
     MonitorStatistics* m_statistics = nullptr;
     QToolBar* m_tools = nullptr;
-    QLabel* m_stream = nullptr;
-    QTimer m_values;    ///< what is said of the stream
     QString m_device;   ///< whose plots are shown; empty: the view waits for a device
     MonitorView m_view; ///< as it was set
     bool m_isLeftOutSaid = false;

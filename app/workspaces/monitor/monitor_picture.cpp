@@ -212,7 +212,7 @@ MonitorPicture::MonitorPicture(Workbench& bench, widgets::LivePlotStack& stack, 
     : QObject(&panel), m_bench(bench), m_stack(stack), m_panel(panel) {
     m_copy =
         makeAction(panel, tr("Copy picture"), tr("Copy the plots as a picture"), "copy", QKeySequence::Copy);
-    m_save = makeAction(panel, tr("Save picture…"), tr("Save the plots as SVG, PDF or PNG"), "export",
+    m_save = makeAction(panel, tr("Save picture…"), tr("Save the plots as SVG, PDF or PNG"), "picture",
                         QKeySequence(QStringLiteral("Ctrl+E")));
     m_asOnScreen = new QAction(tr("Pictures in window colours"), &panel);
     m_asOnScreen->setCheckable(true);

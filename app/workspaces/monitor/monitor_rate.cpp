@@ -26,7 +26,7 @@ QString rateText(double rate_Hz) {
 MonitorRate::MonitorRate(Workbench& bench, QWidget& panel)
     : QObject(&panel), m_bench(bench), m_menu(new QMenu(&panel)) {
     m_menu->setAccessibleName(tr("Live rate"));
-    m_action = new QAction(widgets::themedIcon(QStringLiteral("read")), tr("Live rate"), &panel);
+    m_action = new QAction(widgets::themedIcon(QStringLiteral("rate")), tr("Live rate"), &panel);
     m_action->setShortcut(QKeySequence(QStringLiteral("H")));
     m_action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     m_action->setToolTip(

@@ -1,7 +1,6 @@
 #include "app/workspaces/monitor/monitor_recording.h"
 
 #include "app/recordings/sidecar_change.h"
-#include "app/workbench/pace_steps.h"
 #include "app/workbench/shown_recording.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/progress_row.h"
@@ -113,29 +112,6 @@ void MonitorRecording::onEnded() {
              {},
              {}});
     }
-}
-
-QString MonitorRecording::streamWords() const {
-    const LiveSignals& live = m_bench.liveSignals();
-    const ShownRecording& shown = m_bench.shownRecording();
-    const bool isVirtual =
-        m_bench.session().info().isSimulated && m_bench.session().pace().speed_ratio <= 0.0;
-    if (shown.file() != nullptr) {
-        return tr("recording of %1 s").arg(widgets::fixedText(shown.length_s(), 2));
-    }
-    if (live.streamed().empty()) {
-        return tr("no signals");
-    }
-    if (isVirtual) {
-        return tr("time advances only during a procedure");
-    }
-    const QString words =
-        tr("%n signal(s), %1 Hz, samples lost: %2", nullptr, static_cast<int>(live.streamed().size()))
-            .arg(widgets::fixedText(live.rate_Hz(), 0), widgets::countText(m_bench.history().lostRows()));
-    const double pace_ratio = m_bench.pace().speed_ratio;
-    return canBePaced(m_bench) && pace_ratio != 1.0
-               ? QStringLiteral("%1, %2").arg(words, paceWords(pace_ratio))
-               : words;
 }
 
 } // namespace halbench::app

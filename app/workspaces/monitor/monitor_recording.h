@@ -24,7 +24,6 @@ public:
                      QWidget& panel);
 
     QWidget& row();
-    QString streamWords() const; ///< what comes to the plots
     /// The markers of the plots, into the sidecar of the recording that they show; else nothing.
     void keepMarkers();
 

@@ -19,8 +19,8 @@ struct Tool {
     bool hasText = false;
 };
 constexpr Tool Tools[] = {{Command::Pause, "pause"},   {Command::Follow, "follow", true},
-                          {Command::Fit, "fit"},       {Command::ShowAll, "zoom"},
-                          {Command::ZoomBack, "undo"}, {Command::Cursors, "cursor"},
+                          {Command::Fit, "fit"},       {Command::ShowAll, "whole"},
+                          {Command::ZoomBack, "back"}, {Command::Cursors, "cursor"},
                           {Command::Marker, "note"},   {Command::AddSignals, "add"}};
 
 } // namespace

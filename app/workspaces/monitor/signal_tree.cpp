@@ -1,12 +1,16 @@
 #include "app/workspaces/monitor/signal_tree.h"
 
 #include "app/workbench/display_quantity.h"
+#include "widgets/controls/copy_menu.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/live_plot/live_plot_spec.h"
 #include "widgets/live_plot/stale_text.h"
 #include "widgets/theme/theme_style.h"
 
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QMimeData>
@@ -45,6 +49,16 @@ SignalTree::SignalTree(QWidget* parent) : QTreeWidget(parent) {
                                              2 * widgets::PanelMargin_px);
     header()->resizeSection(UnitColumn, std::max(fontMetrics().horizontalAdvance(QStringLiteral("r/min  ")),
                                                  header()->sectionSizeHint(UnitColumn)));
+    auto* plot = new QAction(tr("Plot, or remove from the plots"), this);
+    connect(plot, &QAction::triggered, this, [this] { toggle(currentItem()); });
+    auto* copyName = new QAction(tr("Copy the name for expressions and files"), this);
+    connect(copyName, &QAction::triggered, this, [this] {
+        if (currentItem() != nullptr) {
+            QGuiApplication::clipboard()->setText(currentItem()->data(NameColumn, NameRole).toString());
+        }
+    });
+    addActions({plot, copyName});
+    widgets::addCopyMenu(*this);
     connect(this, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
         const QString name = item->data(NameColumn, NameRole).toString();
         if (column == NameColumn && !name.isEmpty()) {

@@ -7,6 +7,7 @@
 #include "app/workspaces/recordings/import_text.h"
 #include "devices/formats/recording_file.h"
 #include "widgets/controls/elided_label.h"
+#include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/progress_row.h"
 #include "widgets/language/display_units.h"
@@ -48,7 +49,7 @@ ImportView::ImportView(Workbench& bench, QWidget* parent) : QWidget(parent), m_b
     buildFile(*column);
     m_message = new widgets::MessageBar(this);
     m_message->setObjectName(QStringLiteral("import_message"));
-    column->addWidget(m_message);
+    (new widgets::FloatingRows(*this, Qt::TopEdge, this))->addRow(*m_message);
     m_form = new ImportForm(this);
     column->addWidget(m_form);
     connect(m_form, &ImportForm::changed, this, &ImportView::look);

@@ -50,11 +50,11 @@ QString droppedText(const RecorderStatus& status) {
 RecordPanel::RecordPanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
     QVBoxLayout* column = makeScrollingColumn(this);
     m_message = new widgets::MessageBar(this);
-    column->addWidget(m_message);
     buildTarget(*column);
     buildMoment(*column);
     buildState(*column);
     column->addStretch(1);
+    layout()->addWidget(m_message); // at the end, so that nothing moves away from under the mouse
     RecordingControl& recording = m_bench.recording();
     connect(&recording, &RecordingControl::changed, this, &RecordPanel::refresh);
     connect(&recording, &RecordingControl::finished, this, &RecordPanel::onFinished);

@@ -8,6 +8,7 @@
 #include "app/workspaces/recordings/import_view.h"
 #include "app/workspaces/recordings/result_history_view.h"
 #include "app/workspaces/recordings/run_overlay.h"
+#include "widgets/controls/elided_label.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/language/display_units.h"
@@ -36,6 +37,7 @@ namespace {
 
 constexpr int SaveDelay_ms = 600; ///< after the last key
 constexpr int FewestRows = 4;     ///< of the list that are seen, however small the window is
+constexpr int LeastReason = 10;   ///< characters; the rest in its tooltip
 constexpr double LongestRecording_s = 1e7;
 
 } // namespace
@@ -51,12 +53,12 @@ RecordingsPanel::RecordingsPanel(Workbench& bench, QWidget* parent) : QWidget(pa
     buildSearch(*column);
     m_message = new widgets::MessageBar(list);
     m_message->setObjectName(QStringLiteral("recordings_message"));
-    column->addWidget(m_message);
     buildTable();
     m_empty = makeNote(list);
     reserveLines(*m_empty, 2);
     column->addWidget(m_empty, 1);
     column->addWidget(m_table, 1);
+    column->addWidget(m_message); // takes its room from the list, and moves no row of it
     buildActions(*column);
     buildTabs(splitter);
     constexpr int ListShare = 2; // a few rows to choose from, and a picture large enough to compare them
@@ -130,6 +132,7 @@ void RecordingsPanel::buildTable() {
     m_table->setSortingEnabled(true);
     m_table->sortByColumn(RecordingsTableModel::Date, Qt::DescendingOrder);
     m_table->horizontalHeader()->setStretchLastSection(true);
+    buildMenu();
     connect(m_table, &QTableView::activated, this, &RecordingsPanel::openWhole);
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &RecordingsPanel::onSelection);
@@ -161,7 +164,9 @@ void RecordingsPanel::buildActions(QVBoxLayout& column) {
     row->addWidget(m_play);
     row->addWidget(label);
     row->addWidget(m_from);
-    row->addStretch(1);
+    m_reason = new widgets::ElidedLabel(LeastReason, this);
+    widgets::setRole(*m_reason, widgets::Role::Muted);
+    row->addWidget(m_reason, 1);
     row->addWidget(m_whatIf);
     row->addWidget(m_recover);
     column.addLayout(row);
@@ -297,6 +302,26 @@ bool RecordingsPanel::isFree() const {
            !m_bench.drive().isArmed();
 }
 
+/// Why Open and Replay are greyed; empty where they are not.
+QString RecordingsPanel::reason(const RecordingEntry* entry) const {
+    if (m_model.rowCount() == 0) {
+        return {}; // the list says it
+    }
+    if (entry == nullptr) {
+        return selectedRows().isEmpty() ? tr("Select a recording to open or replay it.")
+                                        : tr("Several are overlaid below; select one to open it.");
+    }
+    if (entry->isInterrupted) {
+        return tr("Interrupted: recover it first.");
+    }
+    if (m_bench.recording().isRecording()) {
+        return tr("End the current recording first.");
+    }
+    return isFree()                    ? QString()
+           : m_bench.drive().isArmed() ? tr("Disarm the device first.")
+                                       : tr("Wait for the end of the procedure.");
+}
+
 void RecordingsPanel::refreshActions() {
     const RecordingEntry* entry = chosen();
     const bool isWhole = entry != nullptr && !entry->isInterrupted;
@@ -306,6 +331,7 @@ void RecordingsPanel::refreshActions() {
     m_from->setEnabled(isWhole);
     m_from->setMaximum(isWhole ? entry->duration_s.value_or(LongestRecording_s) : LongestRecording_s);
     m_recover->setVisible(entry != nullptr && entry->isInterrupted);
+    m_reason->setWords(reason(entry));
     m_tags->setEnabled(!m_words.isEmpty());
     m_notes->setEnabled(!m_words.isEmpty());
 }

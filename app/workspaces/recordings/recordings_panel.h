@@ -20,6 +20,7 @@ class QTableView;
 class QVBoxLayout;
 
 namespace halbench::widgets {
+class ElidedLabel;
 class MessageBar;
 class QuantityEdit;
 } // namespace halbench::widgets
@@ -61,6 +62,7 @@ private:
     QAction& addKey(const char* key);
     void buildSearch(QVBoxLayout& column);
     void buildTable();
+    void buildMenu();
     void buildActions(QVBoxLayout& column);
     void buildTabs(QWidget* parent);
     QWidget* buildWords(QWidget* parent);
@@ -70,6 +72,7 @@ private:
     void recoverElsewhere();
     void recover(const QString& path);
     void onSelection();
+    QString reason(const RecordingEntry* entry) const;
     void refreshActions();
     void openWhole();
     void openEntry(const QString& path);
@@ -96,6 +99,7 @@ private:
     QPlainTextEdit* m_notes = nullptr;
     widgets::MessageBar* m_message = nullptr;
     QLabel* m_empty = nullptr;
+    widgets::ElidedLabel* m_reason = nullptr;
     RunOverlay* m_overlay = nullptr;
     ResultHistoryView* m_results = nullptr;
     ImportView* m_import = nullptr;

@@ -1,16 +1,25 @@
 // Files in the panel of the recordings: tables of other programs, and what an interrupted program left.
+#include "app/workbench/recording_control.h"
 #include "app/workbench/recording_folders.h"
 #include "app/workbench/shown_recording.h"
 #include "app/workspaces/recordings/import_view.h"
 #include "app/workspaces/recordings/recordings_panel.h"
 #include "app/workspaces/recordings/table_import.h"
 #include "devices/formats/recording_file.h"
+#include "widgets/controls/copy_menu.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
 
+#include <QAction>
+#include <QClipboard>
+#include <QDesktopServices>
 #include <QDir>
+#include <QGuiApplication>
+#include <QPushButton>
 #include <QTabWidget>
+#include <QTableView>
+#include <QUrl>
 
 #include <utility>
 
@@ -18,6 +27,26 @@ namespace halbench::app {
 
 void RecordingsPanel::connectImport() {
     connect(m_import, &ImportView::imported, this, &RecordingsPanel::onImported);
+}
+
+/// What the buttons below the list do, and the file itself.
+void RecordingsPanel::buildMenu() {
+    const auto add = [this](const QString& words, const auto& act) {
+        auto* action = new QAction(words, m_table);
+        connect(action, &QAction::triggered, this, act);
+        m_table->addAction(action);
+    };
+    add(tr("Open"), [this] { openWhole(); });
+    add(tr("Replay"), [this] { play(); });
+    add(tr("What-if"), [this] { m_whatIf->click(); });
+    add(tr("Copy path"), [this] {
+        if (const RecordingEntry* entry = chosen()) {
+            QGuiApplication::clipboard()->setText(QDir::toNativeSeparators(entry->path));
+        }
+    });
+    add(tr("Open folder"),
+        [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_bench.recording().folder())); });
+    widgets::addCopyMenu(*m_table);
 }
 
 void RecordingsPanel::importTable() {

@@ -2,6 +2,7 @@
 
 #include "app/workbench/wall_clock.h"
 #include "app/workspaces/parts/compact_table.h"
+#include "widgets/controls/copy_menu.h"
 #include "widgets/controls/estimate_table.h"
 #include "widgets/language/display_units.h"
 
@@ -90,6 +91,7 @@ ResultHistoryView::ResultHistoryView(QWidget* parent) : QTableWidget(parent) {
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setTabKeyNavigation(false);
+    widgets::addCopyMenu(*this);
     setCompact(*this);
     QStringList titles = {tr("File"), tr("Date"), tr("Device"), tr("Data quality")};
     for (std::size_t i = 0; i < HistoryParameters.size(); ++i) {

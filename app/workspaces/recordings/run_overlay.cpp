@@ -4,6 +4,8 @@
 #include "app/workspaces/parts/compact_table.h"
 #include "app/workspaces/parts/field_grid.h"
 #include "app/workspaces/parts/panel_parts.h"
+#include "widgets/controls/copy_menu.h"
+#include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/figure/figure_view.h"
@@ -59,12 +61,12 @@ RunOverlay::RunOverlay(Workbench& bench, QWidget* parent) : QWidget(parent), m_b
     m_view = new widgets::FigureView(this);
     m_view->setAccessibleName(tr("Overlay of the selected recordings"));
     buildValues();
-    column->addWidget(m_message);
     column->addWidget(m_hint);
     auto* row = new QHBoxLayout;
     row->addWidget(m_view, 5);
     row->addWidget(m_values, 3);
     column->addLayout(row, 1);
+    (new widgets::FloatingRows(*m_view, Qt::TopEdge, this))->addRow(*m_message);
     connect(&m_bench, &Workbench::displayUnitsChanged, this, &RunOverlay::draw);
     connect(m_view, &widgets::FigureView::exportRequested, this, [this] {
         savePicture(this, m_chooser, QStringLiteral("overlay.svg"), m_files, *m_view,
@@ -95,6 +97,7 @@ void RunOverlay::buildValues() {
     m_values->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_values->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_values->setTabKeyNavigation(false);
+    widgets::addCopyMenu(*m_values);
 }
 
 void RunOverlay::buildChoices() {

@@ -11,6 +11,7 @@
 #include "app/workspaces/tune/loop_sliders.h"
 #include "app/workspaces/tune/loop_view.h"
 #include "control/design/axis_designs.h"
+#include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/optional_number_edit.h"
 #include "widgets/controls/progress_row.h"
@@ -40,7 +41,6 @@ AxisTunePanel::AxisTunePanel(Workbench& bench, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(widgets::PanelMargin_px);
-    column->addWidget(m_message);
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->setChildrenCollapsible(false);
     QWidget* settings = buildSettings();
@@ -49,6 +49,7 @@ AxisTunePanel::AxisTunePanel(Workbench& bench, QWidget* parent)
     splitter->addWidget(buildFigures());
     splitter->setStretchFactor(1, 1);
     column->addWidget(splitter, 1);
+    (new widgets::FloatingRows(*splitter, Qt::TopEdge, this))->addRow(*m_message);
     connectParts();
     refreshWords();
 }

@@ -3,6 +3,7 @@
 #include "app/figures/parameter_units.h"
 #include "app/workspaces/tune/design_names.h"
 #include "control/base/units.h"
+#include "widgets/controls/copy_menu.h"
 #include "widgets/language/whole_numbers.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme_style.h"
@@ -95,6 +96,7 @@ DesignTable::DesignTable(QWidget* parent)
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     m_table->setTabKeyNavigation(false);
+    widgets::addCopyMenu(*m_table);
     m_table->setItemDelegate(new widgets::WholeNumbers(m_table));
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);

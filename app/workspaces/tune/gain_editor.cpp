@@ -218,10 +218,10 @@ void GainEditor::sayNames() {
         {"feedforward.inertia", tr("Feed-forward of inertia")},
         {"feedforward.viscous", tr("Feed-forward of damping")},
         {"feedforward.coulomb", tr("Feed-forward of friction")},
-        {"feedforward.coulomb_speed", tr("... full effect from speed")},
+        {"feedforward.coulomb_speed", tr("Full friction feed-forward from")},
         {"stiction.current", tr("Friction assist")},
-        {"stiction.threshold", tr("... from an error of")},
-        {"stiction.speed", tr("... below a reference speed of")}};
+        {"stiction.threshold", tr("Friction assist from an error of")},
+        {"stiction.speed", tr("Friction assist below a speed of")}};
     for (const Row& row : m_rows) {
         for (const auto& [key, text] : names) {
             if (row.value.name == key) {

@@ -1,6 +1,7 @@
 #include "app/workspaces/tune/tune_numbers.h"
 
 #include "control/base/units.h"
+#include "widgets/controls/copy_menu.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/unbroken.h"
 #include "widgets/language/whole_numbers.h"
@@ -41,23 +42,43 @@ FrequencyScale frequencyScale(const DisplayUnits& units) {
                : FrequencyScale{0.5 / Pi, QStringLiteral(" Hz")};
 }
 
-QString stepWords(const control::StepMetrics& step) {
-    return Words::tr("rise time %1, overshoot %2, settling time (2 %) %3")
-        .arg(amount(step.riseTime_s, QStringLiteral(" s")),
-             amount(step.overshoot_percent, QStringLiteral(" %")),
-             amount(step.settlingTime_s, QStringLiteral(" s")));
+/// Three rows of one step: a figure each, so that no column is as wide as a sentence. `metrics` gives null
+/// for a loop without the step.
+template <typename Row, typename Metrics>
+void appendStep(const Row& row, const QString& title, const QString& help, const Metrics& metrics) {
+    const auto add = [&](const QString& name, const auto& figure, const QString& unit) {
+        row(name.arg(title), help, [&](const AnalysisResult& loop) {
+            const control::StepMetrics* step = metrics(loop);
+            return step == nullptr ? QStringLiteral("\u2013") : amount(figure(*step), unit);
+        });
+    };
+    add(
+        Words::tr("%1: rise time"), [](const control::StepMetrics& step) { return step.riseTime_s; },
+        QStringLiteral(" s"));
+    add(
+        Words::tr("%1: overshoot"), [](const control::StepMetrics& step) { return step.overshoot_percent; },
+        QStringLiteral(" %"));
+    add(
+        Words::tr("%1: settling time (2 %)"),
+        [](const control::StepMetrics& step) { return step.settlingTime_s; }, QStringLiteral(" s"));
 }
 
-QString linearStepWords(const AnalysisResult& loop) {
-    return loop.step ? stepWords(*loop.step) : QStringLiteral("\u2013");
+const control::StepMetrics* linearStep(const AnalysisResult& loop) {
+    return loop.step ? &*loop.step : nullptr;
 }
 
-QString largeStepWords(const AnalysisResult& loop) {
-    if (!loop.largeStep) {
-        return QStringLiteral("\u2013");
-    }
-    return loop.largeStep->hasArrived()
-               ? stepWords(loop.largeStep->metrics)
+const control::StepMetrics* largeStep(const AnalysisResult& loop) {
+    return loop.largeStep && loop.largeStep->hasArrived() ? &loop.largeStep->metrics : nullptr;
+}
+
+bool isUnsettled(const std::optional<AnalysisResult>& loop) {
+    return loop && loop->largeStep && !loop->largeStep->hasArrived();
+}
+
+QString largeStepState(const AnalysisResult& loop) {
+    return !loop.largeStep ? QStringLiteral("\u2013")
+           : loop.largeStep->hasArrived()
+               ? Words::tr("settled")
                : Words::tr("not settled after %1")
                      .arg(amount(loop.largeStep->duration_s(), QStringLiteral(" s")));
 }
@@ -107,7 +128,7 @@ void appendMargins(const Row& row, const control::Robustness& robust, const Freq
 
 /// What the motion shows; without intervals.
 template <typename Row>
-void appendMotion(const Row& row, const DisplayUnits& units) {
+void appendMotion(const Row& row, const DisplayUnits& units, bool hasUnsettled) {
     row(Words::tr("Largest K_P"), Words::tr("Stability limit of the sampled loop"),
         [](const AnalysisResult& loop) {
             return amount(loop.proportionalLimit_A_per_rad, QStringLiteral(" A/rad"));
@@ -118,10 +139,14 @@ void appendMotion(const Row& row, const DisplayUnits& units) {
                        ? QStringLiteral("\u00b1") + angleText(loop.frictionBand_rad, units)
                        : Words::tr("infinite");
         });
-    row(Words::tr("Linear step"), Words::tr("Small steps, without friction and current limit"),
-        linearStepWords);
-    row(Words::tr("Step of %1").arg(angleText(LargeStep_rad, units)),
-        Words::tr("With friction and current limit"), largeStepWords);
+    appendStep(row, Words::tr("Linear step"), Words::tr("Small steps, without friction and current limit"),
+               linearStep);
+    const QString large = Words::tr("Step of %1").arg(angleText(LargeStep_rad, units));
+    const QString conditions = Words::tr("With friction and current limit");
+    if (hasUnsettled) {
+        row(large, conditions, largeStepState);
+    }
+    appendStep(row, large, conditions, largeStep);
 }
 
 QString boundWords(const control::BoundUse& use, const QString& unit) {
@@ -265,7 +290,7 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
     if (proposed.assessment) {
         appendProof(numbers, *proposed.assessment, units);
     }
-    appendMotion(row, units);
+    appendMotion(row, units, isUnsettled(proposed.predicted) || isUnsettled(present));
     if (proposed.disturbance) {
         appendDisturbance(numbers, *proposed.disturbance, units);
     }
@@ -335,6 +360,7 @@ TuneNumbers::TuneNumbers(QWidget* parent) : QTableWidget(0, 4, parent) {
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setStretchLastSection(true);
+    widgets::addCopyMenu(*this);
     refreshWords();
 }
 

@@ -12,6 +12,7 @@
 #include "app/workspaces/tune/tune_form.h"
 #include "widgets/controls/empty_state.h"
 #include "widgets/controls/estimate_table.h"
+#include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/progress_row.h"
 #include "widgets/language/phrasebook.h"
@@ -54,7 +55,6 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     column->setContentsMargins(widgets::PanelMargin_px, widgets::PanelMargin_px, widgets::PanelMargin_px,
                                widgets::PanelMargin_px);
     column->setSpacing(widgets::PanelMargin_px);
-    column->addWidget(m_message);
     column->addWidget(m_pages, 1);
     m_splitter = new QSplitter(Qt::Horizontal, m_pages);
     m_splitter->setChildrenCollapsible(false);
@@ -66,6 +66,7 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     m_splitter->addWidget(buildFigures());
     m_pages->addWidget(m_empty);
     m_pages->addWidget(m_splitter);
+    (new widgets::FloatingRows(*m_pages, Qt::TopEdge, this))->addRow(*m_message);
     connectParts();
     readConditions();
     onUnits();
@@ -136,13 +137,12 @@ void TunePanel::connectParts() {
             });
 }
 
-/// What was applied, measured and said is of one device: of the one that is connected, or looked for.
+/// What was applied, measured and said is of one device: of the one that is connected, looked for, or held
+/// while a recording is open.
 void TunePanel::onDevice() {
     const DeviceSession& session = m_bench.session();
-    const bool isSame = session.state() == SessionState::Reconnecting ||
-                        session.state() == SessionState::Leaving ||
-                        (session.state() == SessionState::Connected && session.returns() > 0);
-    if (!isSame) {
+    const std::uint64_t device = session.state() == SessionState::Lost ? 0 : session.deviceNumber();
+    if (std::exchange(m_deviceNumber, device) != device) {
         m_before.clear(); // nothing of another one was replaced
         leaveGains();
         forgetVerification();

@@ -248,6 +248,7 @@ private:
     std::optional<AppliedGains> m_applying;      ///< on their way
     std::optional<AppliedGains> m_undecided;     ///< applied, neither kept nor restored
     std::optional<AppliedGains> m_onDevice;      ///< kept
+    std::uint64_t m_deviceNumber = 0;            ///< that both are of; 0: none
     std::vector<ParameterValue> m_before;        ///< what an apply replaced; empty when that is decided
     std::optional<ApplyResult> m_verified;       ///< the last apply that moved
     std::shared_ptr<const WhatIfBasis> m_record; ///< of its move; nothing: none, or not judged yet

@@ -89,7 +89,9 @@ static float lawEffort(hb_axes* axes, uint8_t number, const hb_axis_settings* se
     config.ki_A_per_rad_s = settings->ki;
     config.kd_As_per_rad = settings->kd;
 #if HB_LAW_WEIGHTS
-    config.reference_weight = 1.0F;
+    config.reference_weight = settings->reference_weight;
+    config.derivative_reference_weight = settings->derivative_reference_weight;
+    config.derivative_filter_s = settings->derivative_filter_s;
 #endif
 #if HB_LAW_SECTIONS > 0
     for (uint8_t k = 0; k < HB_LAW_SECTIONS; k++) {

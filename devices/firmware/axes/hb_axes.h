@@ -30,7 +30,10 @@ enum hb_axes_target { HB_AXES_TO_POSITION, HB_AXES_TO_EFFORT };
 /* Of one axis, in the calibration. */
 typedef struct {
     float kp, ki, kd; /* effort per position, per its integral, per speed */
-    float limit;      /* largest effort */
+#if HB_LAW_WEIGHTS
+    float reference_weight, derivative_reference_weight, derivative_filter_s;
+#endif
+    float limit; /* largest effort */
     float window_position,
         window_speed; /* from where the mode began, and of either sign: beyond is a fault */
 } hb_axis_settings;

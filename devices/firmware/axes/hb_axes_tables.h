@@ -29,11 +29,23 @@
 
 #define HB_AXIS_SETTING(name, unit, index, member, initial, upper, text)                                     \
     HB_PAGED_PARAM(name, unit, hb_axes_calibration, axis[index].member, initial, 0.0F, upper, NULL, text)
+#if HB_LAW_WEIGHTS
+#define HB_AXIS_WEIGHTS(id, index)                                                                           \
+    HB_AXIS_SETTING("gain." id ".reference_weight", "", index, reference_weight, 1.0F, 1.0F,                 \
+                    "Set-point weight b"),                                                                   \
+        HB_AXIS_SETTING("gain." id ".derivative_reference_weight", "", index, derivative_reference_weight,   \
+                        0.0F, 1.0F, "Set-point weight c"),                                                   \
+        HB_AXIS_SETTING("gain." id ".derivative_filter", "s", index, derivative_filter_s, 0.0F, 1.0F,        \
+                        "Time constant of the derivative filter"),
+#else
+#define HB_AXIS_WEIGHTS(id, index)
+#endif
 #define HB_AXIS_SETTINGS(id, unit, effort, index, kp0, ki0, kd0, limit0, window0, speed0)                    \
     HB_AXIS_SETTING("gain." id ".kp", effort "/" unit, index, kp, kp0, 1.0e6F, "Proportional gain"),         \
         HB_AXIS_SETTING("gain." id ".ki", effort "/(" unit "*s)", index, ki, ki0, 1.0e8F, "Integral gain"),  \
         HB_AXIS_SETTING("gain." id ".kd", effort "*s/" unit, index, kd, kd0, 1.0e4F, "Derivative gain"),     \
-        HB_AXIS_SETTING("limit." id, effort, index, limit, limit0, 1000.0F, "Largest effort"),               \
+        HB_AXIS_WEIGHTS(id, index)                                                                           \
+            HB_AXIS_SETTING("limit." id, effort, index, limit, limit0, 1000.0F, "Largest effort"),           \
         HB_AXIS_SETTING("window." id, unit, index, window_position, window0, 1000.0F,                        \
                         "Largest excursion from where the mode began"),                                      \
         HB_AXIS_SETTING("window.speed." id, unit "/s", index, window_speed, speed0, 1000.0F,                 \

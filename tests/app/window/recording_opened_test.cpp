@@ -82,6 +82,7 @@ TEST_F(RecordingOpenedTest, isLeftForTheDeviceByOneClick) {
         [&] { return session().state() == SessionState::Connected && session().info().uri == "sim:htm"; }));
     EXPECT_TRUE(inBar<ArmButton>()->isVisible());
     EXPECT_EQ(back->text(), "Disconnect");
+    EXPECT_EQ(session().heldDevice(), "");
 }
 
 TEST_F(RecordingOpenedTest, isClosedWhereNoDeviceWasConnected) {

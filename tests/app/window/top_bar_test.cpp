@@ -94,7 +94,7 @@ TEST_F(TopBarTest, aRealDeviceIsArmedOnlyAfterTheWarning) {
     auto* arm = inBar<ArmButton>();
     ASSERT_TRUE(wait([&] { return arm->isEnabled(); }));
     QTest::mouseClick(arm, Qt::LeftButton);
-    auto* message = window->findChild<widgets::MessageBar*>();
+    auto* message = window->findChild<widgets::MessageBar*>("window_message");
     ASSERT_TRUE(message->isVisible());
     EXPECT_EQ(message->message().text, armingWarning().text);
     EXPECT_FALSE(isArmed());
@@ -114,7 +114,7 @@ TEST_F(TopBarTest, oneAnswerEndsTheQuestionInTheWindowAndInTheDrivePanel) {
     ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
     auto* drive = window->docks().panel("drive");
     auto* inPanel = drive->findChild<widgets::MessageBar*>();
-    auto* inWindow = window->findChild<widgets::MessageBar*>();
+    auto* inWindow = window->findChild<widgets::MessageBar*>("window_message");
     const auto ask = [&] {
         QTest::mouseClick(inBar<ArmButton>(), Qt::LeftButton);
         QTest::mouseClick(drive->findChild<ArmButton*>(), Qt::LeftButton);

@@ -1,9 +1,11 @@
 #include "tests/conformance/actuator/toy_model.h"
 
+#include "control/base/random.h"
 #include "devices/simulated/axes_firmware.h"
 #include "devices/simulated/override_table.h"
 #include "tests/conformance/actuator/toy_board.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -28,9 +30,13 @@ const hb_signal TruthSignals[] = {HB_SIGNAL("truth.position.x", "m", HB_FLOAT64,
 /// m x'' + 1 N s/m x' = 5 N/A i - F sgn x', F = 0 on x and 0.3 N on y; currents follow at once.
 class ToyPlant final : public Plant {
 public:
-    explicit ToyPlant(const ToyParameters& parameters) : m_mass_kg(parameters.mass_kg) {}
+    ToyPlant(const ToyParameters& parameters, std::uint64_t seed)
+        : m_mass_kg(parameters.mass_kg), m_noise(seed) {}
 
-    void read(std::span<float> readings) override { std::copy_n(m_truth.position_m, 2, readings.begin()); }
+    void read(std::span<float> readings) override {
+        std::transform(std::begin(m_truth.position_m), std::end(m_truth.position_m), readings.begin(),
+                       [&](double true_m) { return static_cast<float>(true_m + 1e-7 * m_noise.gaussian()); });
+    }
     void drive(std::span<const float> outputs) override {
         std::copy_n(outputs.begin(), 2, m_current_A.begin());
     }
@@ -52,6 +58,7 @@ public:
 
 private:
     double m_mass_kg;
+    Random m_noise;
     Truth m_truth{};
     std::array<double, 2> m_speed_m_s{};
     std::array<float, 2> m_current_A{};
@@ -104,13 +111,13 @@ SimulatedModel modelOf(std::string name, std::string title, const hb_actuator& a
         return parameters ? Result<void>() : failure(parameters.error());
     };
     const auto make = [name,
-                       &actuator](const Overrides& overrides, std::uint64_t,
+                       &actuator](const Overrides& overrides, std::uint64_t seed,
                                   SimulatedBoard::Line line) -> Result<std::unique_ptr<SimulatedBoard>> {
         const Result<ToyParameters> parameters = toyParameters(overrides);
         if (!parameters) {
             return failure(parameters.error());
         }
-        auto plant = std::make_unique<ToyPlant>(*parameters);
+        auto plant = std::make_unique<ToyPlant>(*parameters, seed);
         auto firmware = std::make_unique<AxesFirmware>(actuator, "sim-" + name, *plant, line);
         return std::make_unique<SimulatedBoard>(
             SimulatedActuator{std::move(plant), std::move(firmware), 2, 2});

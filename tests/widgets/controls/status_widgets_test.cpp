@@ -1,4 +1,5 @@
 #include "tests/widgets/gui_fixture.h"
+#include "widgets/controls/elided_label.h"
 #include "widgets/controls/empty_state.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/number_label.h"
@@ -146,6 +147,21 @@ TEST_F(StatusWidgets, messageOffersItsRemedyAsAButton) {
     QTest::keyClick(&bar, Qt::Key_Delete);
     EXPECT_EQ(dismissals.count(), 1);
     EXPECT_TRUE(bar.isHidden());
+}
+
+TEST_F(StatusWidgets, aMessageOfOneRowIsOneRowInANarrowPanelToo) {
+    const QString remedy = QStringLiteral("A remedy of many words ").repeated(10);
+    MessageBar bar;
+    bar.resize(260, 100);
+    bar.showMessage(
+        {Severity::Error, QStringLiteral("Stopped: by STOP"), remedy, QStringLiteral("Release"), true});
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&bar));
+    const int row_px = bar.findChild<QPushButton*>()->sizeHint().height();
+    EXPECT_LT(bar.sizeHint().height(), 2 * row_px);
+    EXPECT_TRUE(bar.findChild<ElidedLabel*>()->toolTip().contains(remedy)); // nothing is lost
+    EXPECT_TRUE(bar.accessibleDescription().contains(remedy));
+    bar.showMessage({Severity::Error, QStringLiteral("Refused"), remedy, {}});
+    EXPECT_GT(bar.heightForWidth(260), 2 * row_px); // other messages say all of it
 }
 
 TEST_F(StatusWidgets, emptyPanelOffersTheOneActionThatFillsIt) {

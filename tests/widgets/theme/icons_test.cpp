@@ -30,10 +30,11 @@ bool isNear(const QColor& one, const QColor& other) {
 
 TEST_F(Icons, coverTheVocabularyOfTheWindow) {
     for (const char* name :
-         {"connect", "disconnect", "arm",     "stop",      "record",   "pause",  "end",  "play",  "follow",
-          "fit",     "cursor",     "trigger", "zoom",      "add",      "remove", "undo", "redo",  "save",
-          "open",    "read",       "write",   "search",    "filter",   "help",   "ok",   "error", "close",
-          "warning", "settings",   "copy",    "simulated", "defaults", "revert"}) {
+         {"connect",  "disconnect", "arm",       "stop",     "record", "pause", "end",    "play",
+          "follow",   "fit",        "cursor",    "trigger",  "whole",  "back",  "detach", "rate",
+          "picture",  "add",        "remove",    "undo",     "redo",   "save",  "open",   "read",
+          "write",    "search",     "filter",    "help",     "ok",     "error", "close",  "warning",
+          "settings", "copy",       "simulated", "defaults", "revert"}) {
         EXPECT_FALSE(themedIcon(QLatin1String(name)).isNull()) << name;
     }
     EXPECT_TRUE(themedIcon(QStringLiteral("unknown")).isNull());

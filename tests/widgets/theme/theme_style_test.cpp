@@ -3,6 +3,7 @@
 #include "widgets/theme/theme_sheet.h"
 #include "widgets/theme/theme_style.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFontMetricsF>
@@ -45,6 +46,20 @@ TEST_F(ThemeStyle, dressesTheWholeApplicationAnewAtRunTime) {
         EXPECT_EQ(qApp->palette().color(QPalette::ToolTipText), theme.text);
         EXPECT_EQ(qApp->palette().color(QPalette::Link), theme.accent);
     }
+}
+
+TEST_F(ThemeStyle, rowsOfADropDownListAreAsHighAsThoseOfTables) {
+    QComboBox box;
+    box.addItems({"Idle", "Current", "Position"});
+    box.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&box));
+    box.showPopup();
+    constexpr int AboutTheLetters_px = 9; // rows of 26 px with letters of 17
+    for (int row = 0; row < box.count(); ++row) {
+        EXPECT_GE(box.view()->visualRect(box.model()->index(row, 0)).height(),
+                  box.fontMetrics().height() + AboutTheLetters_px);
+    }
+    box.hidePopup();
 }
 
 TEST_F(ThemeStyle, aToolBarThatIsTooNarrowShowsThatItHasMore) {

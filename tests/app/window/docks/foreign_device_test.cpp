@@ -195,7 +195,8 @@ TEST_F(ForeignDeviceTest, aPageThatTakesNoWritesIsSaidAndItsValuesAreStillShown)
         };
     });
     connectTo(board);
-    EXPECT_TRUE(parameterWords().text.contains("Read-only parameters: 3")) << parameterWords().text.toStdString();
+    EXPECT_TRUE(parameterWords().text.contains("Read-only parameters: 3"))
+        << parameterWords().text.toStdString();
     const QModelIndex cell = parameters().indexOf("p.a");
     EXPECT_EQ(cell.siblingAtColumn(Model::DeviceColumn).data().toString(), "0");
     EXPECT_FALSE(parameters().flags(cell) & Qt::ItemIsEditable);

@@ -3,6 +3,7 @@
 
 #include <QMenuBar>
 #include <QSettings>
+#include <QToolButton>
 
 namespace halbench::app {
 namespace {
@@ -47,6 +48,20 @@ TEST_F(LanguageTest, theWindowSpeaksIt) {
     EXPECT_EQ(QLocale().decimalPoint(), ',');
 }
 
+TEST_F(LanguageTest, theDocksSpeakItToo) {
+    speak(application, "de");
+    open();
+    QStringList helps;
+    for (const QToolButton* button : window->findChildren<QToolButton*>()) {
+        helps << button->toolTip();
+    }
+    EXPECT_TRUE(helps.contains("Gruppe ablösen"));
+    EXPECT_TRUE(helps.contains("Alle Reiter anzeigen"));
+    for (const char* words : {"Detach", "Close", "Close Others"}) { // of the menu of a tab
+        EXPECT_NE(QCoreApplication::translate("ads::CDockWidgetTab", words), QLatin1String(words));
+    }
+}
+
 TEST_F(LanguageTest, aPluralHasItsOwnFormInEveryLanguage) {
     const char* const context = "halbench::app::ParametersPanel";
     const auto said = [&](int count) {
@@ -64,7 +79,7 @@ TEST_F(LanguageTest, theMenuKeepsTheChoiceForTheNextStart) {
     ASSERT_NE(action("Deutsch"), nullptr);
     action("Deutsch")->trigger();
     EXPECT_EQ(loadPreferences().language, "de");
-    auto* message = window->findChild<widgets::MessageBar*>();
+    auto* message = window->findChild<widgets::MessageBar*>("window_message");
     EXPECT_TRUE(message->isVisible()); // it says when the words change
     QSettings().remove("language");
 }

@@ -39,7 +39,7 @@ TEST_F(RecordingPlaceTest, whatIsGoneOrDamagedChangesNothing) {
     Workbench bench;
     RecordingPlace place(bench, nullptr);
     EXPECT_EQ(bench.recording().folder(), defaultRecordingFolder());
-    EXPECT_EQ(bench.recording().rate_Hz(), 100.0);
+    EXPECT_EQ(bench.recording().rate_Hz(), 0.0) << "that of the plots";
     QString said;
     QObject::connect(&bench.session(), &DeviceSession::message, &bench,
                      [&](MessageLevel, const QString&, const QString& text) { said = text; });
@@ -50,7 +50,7 @@ TEST_F(RecordingPlaceTest, whatIsGoneOrDamagedChangesNothing) {
     Workbench other;
     const RecordingPlace again(other, nullptr);
     EXPECT_EQ(other.recording().folder(), defaultRecordingFolder());
-    EXPECT_EQ(other.recording().rate_Hz(), 100.0);
+    EXPECT_EQ(other.recording().rate_Hz(), 0.0);
 }
 
 } // namespace

@@ -272,7 +272,7 @@ TEST_F(ProjectWorkTest, theErrorOfADamagedProjectNamesItsFormAndGoesWithTheNextO
     };
     window->openProject(path("damaged.toml"));
     window->project().finishWriting();
-    EXPECT_TRUE(complaint().contains("projects.md")) << complaint().toStdString();
+    EXPECT_TRUE(complaint().contains("the help shows the form of the files")) << complaint().toStdString();
     ASSERT_TRUE(saveProject(Project(), path().toStdString()));
     window->openProject(path());
     window->project().finishWriting();

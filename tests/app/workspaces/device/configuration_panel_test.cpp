@@ -41,14 +41,14 @@ protected:
     }
 
     void saveAndEdit(const QString& old, const QString& edited) {
-        click(*panel, "Save settings …");
+        click(*panel, "Save settings…");
         ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Success; }));
         QString text = QString::fromStdString(readFile(file().toStdString()).value());
         ASSERT_TRUE(text.contains(old)) << text.toStdString();
         ASSERT_TRUE(writeFile(file().toStdString(), text.replace(old, edited).toStdString()));
     }
     void open() {
-        click(*panel, "Compare with …");
+        click(*panel, "Compare with…");
         ASSERT_TRUE(wait([&] { return table().topLevelItemCount() > 0; }));
     }
     void restore() {
@@ -166,7 +166,7 @@ TEST_F(ConfigurationPanelTest, aDamagedFileIsSaidWithItsPlaceAndLeavesTheOpenOne
     open();
     ASSERT_TRUE(
         writeFile(file().toStdString(), "schema = 'halbench.configuration/1'\n[parameters]\na = 1\n"));
-    click(*panel, "Compare with …");
+    click(*panel, "Compare with…");
     ASSERT_TRUE(wait([&] { return message().severity == widgets::Severity::Error; }));
     EXPECT_TRUE(message().text.contains("c.toml:3"));
     EXPECT_TRUE(isTicked("gain.kp"));
@@ -177,7 +177,7 @@ TEST_F(ConfigurationPanelTest, withoutADeviceNothingCanBeSavedOrRestored) {
     open();
     session().disconnectDevice();
     ASSERT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
-    EXPECT_FALSE(find<QPushButton>(*panel, "Save settings …")->isEnabled());
+    EXPECT_FALSE(find<QPushButton>(*panel, "Save settings…")->isEnabled());
     EXPECT_FALSE(find<QPushButton>(*panel, "Restore")->isEnabled());
     connectTo("sim:htm", 5.0); // the file is still open
     EXPECT_TRUE(wait([&] { return row("gain.kp") != nullptr && isTicked("gain.kp"); }));

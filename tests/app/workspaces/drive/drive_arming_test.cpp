@@ -73,13 +73,13 @@ TEST_F(DriveArmingTest, aStopIsLatchedSaidInWordsAndReleasedOnPurpose) {
     const auto isOffered = [&] {
         const auto buttons = panel->findChildren<QPushButton*>();
         return std::any_of(buttons.begin(), buttons.end(), [](const QPushButton* each) {
-            return each->isVisible() && each->text() == "Release the stop";
+            return each->isVisible() && each->text() == "Release";
         });
     };
     EXPECT_FALSE(isOffered()); // the lock-out of the STOP control holds here too
     ASSERT_TRUE(wait(isOffered));
     EXPECT_FALSE(bench().stopLatch().isLocked());
-    click(*panel, "Release the stop");
+    click(*panel, "Release");
     EXPECT_TRUE(wait([&] { return find<QPushButton>(*panel, "Arm")->isEnabled(); }));
     EXPECT_FALSE(isArmed()); // releasing does not arm
     EXPECT_TRUE(message().isEmpty());

@@ -70,7 +70,7 @@ TEST_F(ReferenceFormTest, thePreferredUnitShowsTheSameMotion) {
     form().setUnits({widgets::AngleUnit::Radian, SpeedUnit::DegreesPerSecond});
     EXPECT_NEAR(find<QDoubleSpinBox>(form(), "Slope")->value(), 90.0, 1e-9);
     EXPECT_TRUE(find<QDoubleSpinBox>(form(), "Slope")->suffix().endsWith("\u00b0/s"));
-    EXPECT_TRUE(find<QDoubleSpinBox>(form(), "Offset (added)")->suffix().endsWith("\u00b0/s"));
+    EXPECT_TRUE(find<QDoubleSpinBox>(form(), "Offset speed (added)")->suffix().endsWith("\u00b0/s"));
     EXPECT_TRUE(find<QDoubleSpinBox>(form(), "Amplitude")->suffix().endsWith("rad"));
     EXPECT_NEAR(valueOf("reference.amplitude"), Pi / 2.0, 5e-5); // four decimals are shown
     EXPECT_NEAR(valueOf("reference.rate"), Pi / 2.0, 1e-12);
@@ -86,7 +86,7 @@ TEST_F(ReferenceFormTest, currentsStayAmpereAndTheBaseAddsToThePeak) {
     form().setMode(devices::BoardMode::Current);
     choose(1);
     find<QDoubleSpinBox>(form(), "Amplitude")->setValue(-1.5);
-    find<QDoubleSpinBox>(form(), "Offset (added)")->setValue(0.25);
+    find<QDoubleSpinBox>(form(), "Offset current (added)")->setValue(0.25);
     EXPECT_EQ(valueOf("reference.amplitude"), -1.5);
     EXPECT_EQ(valueOf("reference.base"), 0.25);
     EXPECT_NEAR(form().peak(), 1.75, 1e-12);

@@ -11,6 +11,8 @@
 #include <QLineEdit>
 #include <QTableWidget>
 
+#include <algorithm>
+
 namespace halbench::app {
 namespace {
 
@@ -92,6 +94,27 @@ TEST_F(DerivedPanelTest, anotherExpressionForgetsWhatTheOneBeforeComputed) {
     for (std::size_t i = 0; i < computed.size(); ++i) {
         EXPECT_DOUBLE_EQ(computed[i].value, 3.0 * hall[i].value) << i;
     }
+}
+
+TEST_F(DerivedPanelTest, anEmptyListGivesAnExampleAndANewSignalAsksForItsPlot) {
+    connectTo("sim:htm", 5.0);
+    QStringList plotted;
+    QObject::connect(panel.get(), &DerivedPanel::plotRequested,
+                     [&](const QString& name, bool) { plotted << name; });
+    const auto isExplained = [&] {
+        const auto labels = panel->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->isVisible() && label->text().contains("current.a^2");
+        });
+    };
+    EXPECT_TRUE(isExplained());
+    write("half", "speed / 2", "rad/s");
+    enter();
+    EXPECT_FALSE(isExplained());
+    EXPECT_EQ(plotted, QStringList("half"));
+    write("half", "speed / 4", "rad/s"); // the same signal: its plot is chosen already
+    enter();
+    EXPECT_EQ(plotted.size(), 1);
 }
 
 TEST_F(DerivedPanelTest, aMistakeIsSaidInPlaceAndNotKept) {

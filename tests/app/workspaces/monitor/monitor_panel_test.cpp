@@ -267,6 +267,13 @@ TEST(DisplayQuantityTest, showsDegreesTurnsMilliteslaAmpereAndCelsius) {
     EXPECT_EQ(displayQuantity("kg*m^2", {}).factor, 1.0);
     EXPECT_EQ(signalWords("hall.b"), "Hall B");
     EXPECT_EQ(signalWords("foreign.name"), "foreign.name");
+    EXPECT_EQ(signalWords("position.x"), "Position x");
+    EXPECT_EQ(signalWords("truth.speed.phi"), "True speed \u03c6");
+    EXPECT_EQ(signalWords("current.coil3"), "Current 3");
+    EXPECT_EQ(signalWords("hall.y2"), "Hall y2");
+    EXPECT_EQ(signalWords("field.0.theta"), QString::fromUtf8("Field 0\u00a0\u03b8"));
+    EXPECT_EQ(signalWords("position.foreign"), "position.foreign");
+    EXPECT_EQ(signalWords("reference.segment"), "Generator segment");
 }
 
 TEST(MonitorPlotsTest, aDeviceWithoutRolesShowsItsFirstSignalsByUnit) {

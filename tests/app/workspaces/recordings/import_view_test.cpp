@@ -233,7 +233,8 @@ TEST_F(ImportViewTest, whatCannotBeSaidIsRefusedInWordsOfTheWindowAndStaysToBeMe
     };
     for (const Wrong& wrong :
          {Wrong{NameRow, "9 lives", "not allowed as a signal name"}, Wrong{NameRow, "zeit", "it is the time"},
-          Wrong{UnitRow, "furlong", "is not a known unit"}, Wrong{NameRow, "speed", "is in T, but speed is in rad/s"}}) {
+          Wrong{UnitRow, "furlong", "is not a known unit"},
+          Wrong{NameRow, "speed", "is in T, but speed is in rad/s"}}) {
         write(wrong.row, 1, wrong.text);
         EXPECT_FALSE(button().isEnabled()) << wrong.text;
         EXPECT_TRUE(message().text.contains(wrong.said)) << message().text.toStdString();

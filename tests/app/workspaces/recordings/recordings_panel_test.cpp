@@ -7,14 +7,18 @@
 #include "devices/formats/recording_file.h"
 #include "devices/recording/recording_writer.h"
 #include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/controls/elided_label.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/figure/figure_view.h"
 
 #include <QAbstractButton>
+#include <QAction>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
+#include <QGuiApplication>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -24,6 +28,7 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 
 namespace halbench::app {
@@ -98,6 +103,46 @@ TEST_F(RecordingsPanelTest, whatWasInterruptedIsFoundInTheDefaultFolderTooAndItI
     EXPECT_EQ(said.filter(QDir(elsewhere).path()).size(), 1) << "it is said from where";
     EXPECT_TRUE(interruptedIn(defaultRecordingFolder()).isEmpty());
     qputenv("HOME", before);
+}
+
+TEST_F(RecordingsPanelTest, greyedButtonsSayWhy) {
+    write("one", 1.0);
+    write("two", 2.0);
+    open();
+    ASSERT_TRUE(listed(2));
+    const auto isSaid = [&](const QString& words) {
+        const auto labels = panel->findChildren<widgets::ElidedLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const auto* label) { return label->words().contains(words); });
+    };
+    const auto* open = find<QPushButton>(*panel, "Open");
+    EXPECT_FALSE(open->isEnabled());
+    EXPECT_TRUE(isSaid("Select a recording"));
+    table()->selectAll();
+    EXPECT_FALSE(open->isEnabled());
+    EXPECT_TRUE(isSaid("select one"));
+    table()->selectRow(0);
+    EXPECT_TRUE(open->isEnabled());
+    EXPECT_FALSE(isSaid("elect"));
+}
+
+TEST_F(RecordingsPanelTest, theMenuOfTheListCopiesThePathAndTheRow) {
+    write("one", 1.0);
+    open();
+    ASSERT_TRUE(listed(1));
+    EXPECT_EQ(table()->contextMenuPolicy(), Qt::ActionsContextMenu);
+    EXPECT_LE(table()->actions().size(), 10);
+    table()->selectRow(0);
+    const auto choose = [&](const QString& words) {
+        for (QAction* action : table()->actions()) {
+            if (action->text() == words) {
+                action->trigger();
+            }
+        }
+        return QGuiApplication::clipboard()->text();
+    };
+    EXPECT_EQ(choose("Copy path"), QDir::toNativeSeparators(folder.filePath("one.csv")));
+    EXPECT_TRUE(choose("Copy rows").startsWith("one"));
 }
 
 TEST_F(RecordingsPanelTest, findsARecordingByItsWords) {

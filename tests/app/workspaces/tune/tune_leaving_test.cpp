@@ -72,6 +72,21 @@ TEST_F(TuneLeavingTest, gainsThatWereNeitherKeptNorRestoredAreNotLostEither) {
     EXPECT_EQ(left.size(), 3) << "nothing of the other one was applied";
 }
 
+TEST_F(TuneLeavingTest, gainsWaitForTheirDecisionWhileARecordingIsOpen) {
+    prepare();
+    verify();
+    const double kp = valuesNow().at("gain.kp");
+    const QString device = QString::fromStdString(bench.session().info().id);
+    bool hasFailed = false;
+    QObject::connect(&bench.session(), &DeviceSession::connectFailed, &panel, [&] { hasFailed = true; });
+    bench.session().connectDevice("replay:there-is-none.csv", {0.0}); // the device is back at once
+    ASSERT_TRUE(wait([&] { return hasFailed && bench.session().state() == SessionState::Connected; }));
+    EXPECT_TRUE(left.isEmpty()) << left.join(' ').toStdString();
+    EXPECT_EQ(valuesNow().at("gain.kp"), kp);
+    click(panel, "Keep");
+    EXPECT_EQ(designs(), QStringList("kept on " + device));
+}
+
 TEST_F(TuneLeavingTest, restoredGainsLeaveNothingBehind) {
     prepare();
     verify();

@@ -42,7 +42,7 @@ TEST_F(TunePicturesTest, theNumbersHaveTheirUnits) {
     const auto radians =
         tuneNumbers(*bench.design(), std::nullopt, {widgets::AngleUnit::Radian, SpeedUnit::RadiansPerSecond});
     EXPECT_TRUE(number(radians, "band").proposed.endsWith(" rad"));
-    EXPECT_EQ(number(radians, "Step of").name, "Step of 1.75 rad");
+    EXPECT_EQ(number(radians, "Step of").name, "Step of 1.75 rad: rise time");
     EXPECT_EQ(panel.findChild<TuneNumbers*>()->rowCount(), static_cast<int>(numbers.size()));
     EXPECT_TRUE(number(numbers, "Gain crossover").proposed.endsWith(" Hz"));
     DisplayUnits angular;
@@ -50,6 +50,20 @@ TEST_F(TunePicturesTest, theNumbersHaveTheirUnits) {
     const double crossover_rad_s = *bench.design()->predicted.margins.gainCrossover_rad_s;
     EXPECT_EQ(number(tuneNumbers(*bench.design(), std::nullopt, angular), "Gain crossover").proposed,
               widgets::numberText(crossover_rad_s, 3) + " rad/s");
+}
+
+TEST_F(TunePicturesTest, theFiguresOfAStepAreRowsOfOneNumberEach) {
+    bench.setIdentification(publishedMotor());
+    ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
+    TuneResult design = *bench.design();
+    design.predicted.step->riseTime_s = 0.05;
+    design.predicted.step->overshoot_percent = 12.5;
+    design.predicted.step->settlingTime_s.reset();
+    const auto numbers = tuneNumbers(design, std::nullopt, {});
+    EXPECT_EQ(number(numbers, "Linear step: rise").proposed, "0.05 s");
+    EXPECT_EQ(number(numbers, "Linear step: over").proposed, "12.5 %");
+    EXPECT_EQ(number(numbers, "Linear step: settling").proposed, "\u2013"); // never: no number
+    EXPECT_EQ(number(numbers, "Step of 100\u00b0: over").present, "");      // nothing is on a device
 }
 
 TEST_F(TunePicturesTest, marginsHaveTheIntervalOfTheIdentificationOrSayThatNoneIsKnown) {
