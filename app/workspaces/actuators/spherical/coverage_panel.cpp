@@ -3,6 +3,7 @@
 #include "app/workspaces/actuators/spherical/board_sensors.h"
 #include "app/workspaces/parts/field_grid.h"
 #include "control/base/units.h"
+#include "models/spherical/spherical_parameters.h"
 #include "widgets/actuators/spherical/coverage_view.h"
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/figure/painting.h"
