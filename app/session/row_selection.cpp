@@ -10,11 +10,10 @@ namespace halbench::app {
 
 namespace {
 
-/// Where one stream follows another, a row that comes later than this many of its periods has a gap before
-/// it.
-constexpr double GapFactor = 1.5;
 /// Distances of rows that differ by less than this are the same rate.
 constexpr double SameRate_ratio = 1e-6;
+/// A row so near to its place, in periods, continues the rows before.
+constexpr double InStep_ratio = 0.02;
 
 } // namespace
 
@@ -57,15 +56,18 @@ std::uint64_t RowSelection::missingAtChange(double time_s) const {
     if (m_rates.empty()) {
         return 0;
     }
-    const double step_s = std::max(m_step_s, m_rates.back().period_s);
-    const double steps = step_s > 0.0 ? (time_s - m_last_s) / step_s : 0.0;
-    return steps > GapFactor ? static_cast<std::uint64_t>(std::round(steps) - 1.0) : 0;
+    return rowsMissingAtChange(time_s - m_last_s, std::max(m_step_s, m_rates.back().period_s));
+}
+
+/// Whether this row comes one period after the last, at the same distance of rows.
+bool RowSelection::isInStep(double time_s) const {
+    const bool isSame =
+        !m_rates.empty() && std::abs(m_rates.back().period_s - m_step_s) <= SameRate_ratio * m_step_s;
+    return isSame && std::abs(time_s - m_last_s - m_step_s) <= InStep_ratio * m_step_s;
 }
 
 void RowSelection::noteRate(double time_s) {
-    const bool isSame =
-        !m_rates.empty() && std::abs(m_rates.back().period_s - m_step_s) <= SameRate_ratio * m_step_s;
-    if (!isSame) {
+    if (!isInStep(time_s)) {
         m_rates.push_back({time_s - *m_first_s, m_step_s});
     }
 }

@@ -28,7 +28,8 @@ public:
     double last_s() const { return m_last_s; }
     /// Distance of the rows that are kept now.
     double step_s() const { return m_step_s; }
-    /// On the axis of the file; empty while the distance of rows was the same throughout.
+    /// On the axis of the file: where rows of another distance begin, or rows that are out of step with those
+    /// before. Empty where neither happened.
     std::vector<RateChange> rates() const;
 
 private:
@@ -37,6 +38,7 @@ private:
     void beginGrid(double time_s);
     std::uint64_t takeTime(std::span<const double> next_s, bool isLossSure);
     std::uint64_t missingAtChange(double time_s) const;
+    bool isInStep(double time_s) const;
     void noteRate(double time_s);
     void append(SampleBlock& rows, const TimedBlock& block, std::size_t row) const;
 

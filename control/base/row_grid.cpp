@@ -18,9 +18,19 @@ constexpr double MostJitter_ratio = 0.75;    // of one step
 constexpr double Jitter_ratio = 0.45;        // of a stamp, around its place
 constexpr double CaughtUp_ratio = 0.9;       // late rows follow each other faster
 constexpr double LeastGain = 0.125;          // of the phase: eight rows back
+// Never a tie: stamps are whole numbers of some decimal unit.
+constexpr double HalfPeriod_ratio = 0.5 + 1.0 / 3000.0;
 constexpr double MostMissing = 1e15; // a gap beyond this is a broken clock; keeps the count a whole number
 
 } // namespace
+
+std::uint64_t rowsMissingAtChange(double step_s, double period_s) {
+    if (!(period_s > 0.0) || !(step_s > 0.0)) {
+        return 0;
+    }
+    const double places = std::ceil(step_s / period_s - HalfPeriod_ratio);
+    return static_cast<std::uint64_t>(std::clamp(places - 1.0, 0.0, MostMissing));
+}
 
 bool RowGrid::isLongStep(double time_s) const {
     const double long_ratio = m_rows < RowsOfPhase ? UnknownLongStep_ratio : LongStep_ratio;

@@ -6,6 +6,11 @@
 
 namespace halbench {
 
+/// Rows that were due in the step from the last row of one stream to the first row of the next, at the longer
+/// of the two periods. The streams are not in phase: a step of half a period more counts none more, however
+/// the stamps were rounded. A period of 0 or less: none.
+std::uint64_t rowsMissingAtChange(double step_s, double period_s);
+
 /// Counts the rows that are missing in a stream of an even rate, by its time stamps. A lost row shifts all
 /// that follow; a stamp that is early or late (jitter) does not. The stamps are therefore compared with the
 /// grid on which the rows before stand, and the shift counts that the rows behind have in common.

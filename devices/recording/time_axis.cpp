@@ -16,10 +16,6 @@ constexpr std::uint64_t MostLost = 1'000'000'000'000'000'000; // of a broken axi
 // Rows before one that tell on which grid it stands.
 constexpr std::size_t RowsBefore = 32;
 
-// Where one rate follows another, a row that is later than this many of the longer periods has a gap before
-// it.
-constexpr double ChangeFactor = 1.5;
-
 /// Rows of one rate.
 struct Stretch {
     std::size_t begin = 0;
@@ -53,9 +49,7 @@ Stretch stretchAt(const Recording& recording, double time_s) {
 std::uint64_t lostBetween(const Recording& recording, const Stretch& stretch) {
     const double before_s = recording.time_s[stretch.begin - 1];
     const double period_s = std::max(stretchAt(recording, before_s).period_s, stretch.period_s);
-    const double steps = (recording.time_s[stretch.begin] - before_s) / period_s;
-    const double most = static_cast<double>(MostLost);
-    return steps > ChangeFactor ? static_cast<std::uint64_t>(std::min(std::round(steps) - 1.0, most)) : 0;
+    return rowsMissingAtChange(recording.time_s[stretch.begin] - before_s, period_s);
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 #include "app/session/row_selection.h"
+#include "devices/recording/time_axis.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace halbench::app {
 namespace {
@@ -70,6 +72,32 @@ TEST(RowSelection, oneRateThroughoutIsNotTold) {
     EXPECT_EQ(taken.rows, 40U);
     EXPECT_EQ(taken.missing, 0U);
     EXPECT_TRUE(selection.rates().empty());
+}
+
+// A board starts its streams in any phase, on ticks of 125 us, and rows may be missing between them. What the
+// file says of its gaps is what a reader counts on its axis.
+TEST(RowSelection, aReaderCountsTheSameRowsWhateverThePhaseOfTheStreams) {
+    std::mt19937 random(5);
+    std::uniform_int_distribution<int> tick(1, 60);
+    for (int trial = 0; trial < 400; ++trial) {
+        const double begin_s = 0.000125 * tick(random);
+        RowSelection selection(layoutOf(0.001), std::nullopt);
+        Recording recording;
+        Taken taken;
+        double next_s = begin_s;
+        for (const double period_s : {0.001, trial % 2 == 0 ? 0.001 : 0.005, 0.001}) {
+            const auto parts = selection.take(blockAt(layoutOf(period_s), evenTimes(next_s, period_s, 40)));
+            next_s += 39 * period_s + 0.000125 * tick(random);
+            taken.add(parts);
+            for (const SampleBlock& part : parts) {
+                recording.layout = part.layout;
+                recording.time_s.insert(recording.time_s.end(), part.time_s.begin(), part.time_s.end());
+            }
+        }
+        recording.lostRows = devices::countLostRows(recording.time_s, 0.001);
+        devices::setRates(recording, selection.rates());
+        ASSERT_EQ(recording.lostRows, taken.missing) << trial;
+    }
 }
 
 TEST(RowSelection, aPauseBetweenStreamsIsMissingRowsOfTheSlowerOne) {
