@@ -1,10 +1,10 @@
 #include "app/session/row_selection.h"
+#include "control/base/random.h"
 #include "devices/recording/time_axis.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace halbench::app {
 namespace {
@@ -77,17 +77,17 @@ TEST(RowSelection, oneRateThroughoutIsNotTold) {
 // A board starts its streams in any phase, on ticks of 125 us, and rows may be missing between them. What the
 // file says of its gaps is what a reader counts on its axis.
 TEST(RowSelection, aReaderCountsTheSameRowsWhateverThePhaseOfTheStreams) {
-    std::mt19937 random(5);
-    std::uniform_int_distribution<int> tick(1, 60);
+    Random random(5);
+    const auto ticks_s = [&random] { return 0.000125 * static_cast<double>(1 + random.below(60)); };
     for (int trial = 0; trial < 400; ++trial) {
-        const double begin_s = 0.000125 * tick(random);
+        const double begin_s = ticks_s();
         RowSelection selection(layoutOf(0.001), std::nullopt);
         Recording recording;
         Taken taken;
         double next_s = begin_s;
         for (const double period_s : {0.001, trial % 2 == 0 ? 0.001 : 0.005, 0.001}) {
             const auto parts = selection.take(blockAt(layoutOf(period_s), evenTimes(next_s, period_s, 40)));
-            next_s += 39 * period_s + 0.000125 * tick(random);
+            next_s += 39 * period_s + ticks_s();
             taken.add(parts);
             for (const SampleBlock& part : parts) {
                 recording.layout = part.layout;
