@@ -20612,6 +20612,18 @@ Hall B
         <source>Not covered: (%1, %2, %3)°, where %4 is at most %5 mT.</source>
         <translation>Nicht abgedeckt: (%1, %2, %3)°, dort ist %4 höchstens %5 mT.</translation>
     </message>
+    <message>
+        <source>On trial, not on the board. %1</source>
+        <translation>Zur Probe, nicht auf dem Board. %1</translation>
+    </message>
+    <message>
+        <source>Least reading %1 mT, conditioning %2, predicted error %3° rms</source>
+        <translation>Kleinster Messwert %1 mT, Konditionszahl %2, vorhergesagter Fehler %3° (Effektivwert)</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::CoverageView</name>
@@ -20622,6 +20634,45 @@ Hall B
     <message>
         <source>Map of the coverage over two angles</source>
         <translation>Karte der Abdeckung über zwei Winkel</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PlacementEditor</name>
+    <message>
+        <source>Drag a sensor, or 0, 1, 2 and arrow keys; Shift turns</source>
+        <translation>Sensor ziehen oder 0, 1, 2 und Pfeiltasten; Umschalt dreht</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>Sensor that the angles and arrow keys move</source>
+        <translation>Sensor, den die Winkel und die Pfeiltasten bewegen</translation>
+    </message>
+    <message>
+        <source>Rotation from the X axis to the sensor&apos;s place</source>
+        <translation>Drehung von der X-Achse zum Ort des Sensors</translation>
+    </message>
+    <message>
+        <source>Figures of the placement</source>
+        <translation>Kennzahlen der Anordnung</translation>
+    </message>
+    <message>
+        <source>&amp;Board&apos;s placement</source>
+        <translation>Anordnung des &amp;Boards</translation>
+    </message>
+    <message>
+        <source>Show the sensors of the board again (Alt+B)</source>
+        <translation>Wieder die Sensoren des Boards zeigen (Alt+B)</translation>
+    </message>
+    <message>
+        <source>&amp;Recommended</source>
+        <translation>&amp;Empfohlen</translation>
+    </message>
+    <message>
+        <source>Try the placement that is proven to cover all (Alt+R)</source>
+        <translation>Nachweislich lückenlose Anordnung probieren (Alt+E)</translation>
     </message>
 </context>
 </TS>

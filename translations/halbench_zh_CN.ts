@@ -20597,6 +20597,18 @@ Hall B
         <source>Not covered: (%1, %2, %3)°, where %4 is at most %5 mT.</source>
         <translation>未覆盖：(%1, %2, %3)°，该处 %4 最多 %5 mT。</translation>
     </message>
+    <message>
+        <source>On trial, not on the board. %1</source>
+        <translation>试用，未写入控制板。%1</translation>
+    </message>
+    <message>
+        <source>Least reading %1 mT, conditioning %2, predicted error %3° rms</source>
+        <translation>最小读数 %1 mT，条件数 %2，预测误差 %3°（均方根）</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::CoverageView</name>
@@ -20607,6 +20619,45 @@ Hall B
     <message>
         <source>Map of the coverage over two angles</source>
         <translation>两个角上的覆盖图</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PlacementEditor</name>
+    <message>
+        <source>Drag a sensor, or 0, 1, 2 and arrow keys; Shift turns</source>
+        <translation>拖动传感器，或按 0、1、2 和方向键；按住 Shift 旋转视图</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>Sensor that the angles and arrow keys move</source>
+        <translation>由角度和方向键移动的传感器</translation>
+    </message>
+    <message>
+        <source>Rotation from the X axis to the sensor&apos;s place</source>
+        <translation>从 X 轴到传感器位置的旋转</translation>
+    </message>
+    <message>
+        <source>Figures of the placement</source>
+        <translation>布置的指标</translation>
+    </message>
+    <message>
+        <source>&amp;Board&apos;s placement</source>
+        <translation>控制板的布置(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the sensors of the board again (Alt+B)</source>
+        <translation>重新显示控制板的传感器 (Alt+B)</translation>
+    </message>
+    <message>
+        <source>&amp;Recommended</source>
+        <translation>推荐布置(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Try the placement that is proven to cover all (Alt+R)</source>
+        <translation>试用经证明完全覆盖的布置 (Alt+R)</translation>
     </message>
 </context>
 </TS>

@@ -1,11 +1,16 @@
 #include "app/analyses/spherical/coverage_slice.h"
 
+#include "control/base/units.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace halbench::app {
 
 namespace {
+
+constexpr double ShaftStep_rad = 3.0 * Pi / 180.0; // divides 45 degrees
+constexpr double SpinStep_rad = Pi / 180.0;
 
 models::WorkControl stopOnly(const AnalysisControl& control) {
     models::WorkControl work;
@@ -74,6 +79,53 @@ Result<CoverageJudgement> judgeCoverage(const models::CoverageModel& model, doub
         return std::abs(a.at.gamma_rad) < std::abs(b.at.gamma_rad);
     });
     return judgement;
+}
+
+namespace {
+
+Result<std::vector<UncoveredShaft>> uncoveredShafts(const models::CoverageModel& model, double threshold_T,
+                                                    const AnalysisControl& control) {
+    models::PoseGrid grid = models::workspaceGrid(ShaftStep_rad);
+    grid.gamma = models::workspaceGrid(SpinStep_rad).gamma;
+    const auto least_T =
+        models::coverageMap(model, models::CoverageQuantity::LeastComponent_T, 0.0, grid, stopOnly(control));
+    if (!least_T) {
+        return failure(least_T.error());
+    }
+    std::vector<UncoveredShaft> found;
+    auto spin_T = least_T->begin();
+    for (int a = 0; a < grid.alpha.count; ++a) {
+        for (int b = 0; b < grid.beta.count; ++b) {
+            const auto uncovered = std::count_if(spin_T, spin_T + grid.gamma.count, [&](float value_T) {
+                return !(static_cast<double>(value_T) > threshold_T);
+            });
+            spin_T += grid.gamma.count;
+            if (uncovered > 0) {
+                found.push_back(
+                    {grid.alpha.at(a), grid.beta.at(b), static_cast<double>(uncovered) / grid.gamma.count});
+            }
+        }
+    }
+    return found;
+}
+
+} // namespace
+
+Result<CoverageOfWorkspace> coverageOfWorkspace(const models::CoverageModel& model,
+                                                const models::PlacementDevice& device,
+                                                const models::SensorTriple& placement,
+                                                const CoverageSliceConfig& config,
+                                                const AnalysisControl& control) {
+    const models::SensorPoses poses = models::sensorPoses(placement, device.frames, device.radius_m);
+    if (auto checked = models::checkSensorPoses(poses, device.rotorRadius_m); !checked) {
+        return failure(checked.error());
+    }
+    auto uncovered = uncoveredShafts(model, config.threshold_T, control);
+    if (!uncovered) {
+        return failure(uncovered.error());
+    }
+    return CoverageOfWorkspace{*std::move(uncovered),
+                               models::assessPlacement(device, placement, config.noise_T)};
 }
 
 } // namespace halbench::app

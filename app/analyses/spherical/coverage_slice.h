@@ -2,6 +2,7 @@
 
 #include "app/analyses/analysis.h"
 #include "models/spherical/coverage/coverage_proof.h"
+#include "models/spherical/coverage/placement_search.h"
 
 #include <vector>
 
@@ -47,5 +48,26 @@ struct CoverageJudgement {
 /// Errors: Interrupted. Source: resources/help/spherical-theory.md section 6.
 Result<CoverageJudgement> judgeCoverage(const models::CoverageModel& model, double threshold_T,
                                         const AnalysisControl& control = {});
+
+/// A direction of the shaft, and how many of its spins are not covered.
+struct UncoveredShaft {
+    double alpha_rad = 0.0;
+    double beta_rad = 0.0;
+    double share = 0.0; ///< of the spins, above 0
+};
+
+/// What a placement is worth over the whole workspace.
+struct CoverageOfWorkspace {
+    std::vector<UncoveredShaft> uncovered; ///< alpha and beta every 3 degrees, spins every degree
+    models::PlacementResult figures;
+};
+
+/// Coverage by `model`, figures of the placement on `device`; of the config the threshold and the noise.
+/// Errors: those of checkSensorPoses(), Interrupted.
+Result<CoverageOfWorkspace> coverageOfWorkspace(const models::CoverageModel& model,
+                                                const models::PlacementDevice& device,
+                                                const models::SensorTriple& placement,
+                                                const CoverageSliceConfig& config,
+                                                const AnalysisControl& control = {});
 
 } // namespace halbench::app

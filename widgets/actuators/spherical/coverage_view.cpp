@@ -76,6 +76,13 @@ QString CoverageView::cursorText() const {
     return m_slice.isUncovered[index] ? tr("%1, not covered").arg(words) : words;
 }
 
+std::optional<QPointF> CoverageView::cursor() const {
+    if (m_slice.values.empty() || m_column < 0 || m_row < 0) {
+        return {};
+    }
+    return QPointF(m_slice.x.at(m_column), m_slice.y.at(m_row));
+}
+
 QRectF CoverageView::mapOf(const QSizeF& size, const QFontMetricsF& metrics) const {
     const double left = metrics.horizontalAdvance(QStringLiteral("−90")) + 2.0 * Gap_px + metrics.height();
     const double right = BarWidth_px + 3.0 * Gap_px + metrics.horizontalAdvance(QStringLiteral("000.000"));

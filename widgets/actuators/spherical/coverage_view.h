@@ -53,6 +53,8 @@ public:
     const CoverageSlice& slice() const { return m_slice; }
     /// "α 3°, β −2°: 12.34 mT, not covered"; empty without a slice.
     QString cursorText() const;
+    /// The chosen pose, x and y in degrees.
+    std::optional<QPointF> cursor() const;
     /// Paints the picture into a rectangle of this size, also for files.
     void draw(QPainter& painter, const Theme& theme, const QSizeF& size) const;
 

@@ -161,6 +161,26 @@ SphereView::Sight SphereView::sight(const QSizeF& size) const {
     return result;
 }
 
+QPointF SphereView::placeOf(const Eigen::Vector3d& point_m) const {
+    return sight(size()).at(point_m / RotorRadius_m);
+}
+
+bool SphereView::isBehind(const Eigen::Vector3d& point_m) const {
+    return sight(size()).isHidden(point_m);
+}
+
+Eigen::Vector3d SphereView::directionAt(const QPointF& at, double radius_m, bool isBehind) const {
+    const Sight seen = sight(size());
+    const double radius_px = seen.pixels * radius_m / RotorRadius_m;
+    Eigen::Vector3d direction((at.x() - seen.middle.x()) / radius_px, (seen.middle.y() - at.y()) / radius_px,
+                              0.0);
+    const double square = direction.squaredNorm();
+    if (square < 1.0) {
+        direction.z() = isBehind ? -std::sqrt(1.0 - square) : std::sqrt(1.0 - square);
+    }
+    return seen.view.transpose() * direction.normalized();
+}
+
 void SphereView::drawRotor(QPainter& painter, const Theme& theme, const Sight& sight) const {
     painter.setPen(QPen(theme.line, 1.0));
     painter.setBrush(theme.raised);

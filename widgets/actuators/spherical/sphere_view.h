@@ -46,6 +46,7 @@ public:
     explicit SphereView(QWidget* parent = nullptr);
 
     void setSensors(const std::array<SphereSensor, 3>& sensors);
+    const std::array<SphereSensor, 3>& sensors() const { return m_sensors; }
     void setReadings(const std::array<double, 9>& readings_T);
     /// Rotation from rotor to stator; `cone_rad`: half-angle about the shaft.
     void setOrientation(const Eigen::Matrix3d& rotation, double cone_rad, SphereVerdict verdict);
@@ -58,6 +59,13 @@ public:
 
     /// Direction of sight: from X towards Y, and above the plane of X and Y.
     void setSight(double azimuth_rad, double elevation_rad);
+    /// Where a point of the stator is in the widget.
+    QPointF placeOf(const Eigen::Vector3d& point_m) const;
+    /// The direction, a unit vector in stator axes, whose point at this radius is seen at `at`, on the side
+    /// of the eye or behind; beside the sphere the nearest one on its edge.
+    Eigen::Vector3d directionAt(const QPointF& at, double radius_m, bool isBehind) const;
+    /// Whether the point is behind the middle of the rotor.
+    bool isBehind(const Eigen::Vector3d& point_m) const;
     /// Paints the picture into a rectangle of this size, also for files.
     void draw(QPainter& painter, const Theme& theme, const QSizeF& size) const;
 

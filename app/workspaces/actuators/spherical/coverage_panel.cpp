@@ -1,6 +1,7 @@
 #include "app/workspaces/actuators/spherical/coverage_panel.h"
 
 #include "app/workspaces/actuators/spherical/board_sensors.h"
+#include "app/workspaces/actuators/spherical/placement_editor.h"
 #include "app/workspaces/parts/field_grid.h"
 #include "control/base/units.h"
 #include "models/spherical/spherical_parameters.h"
@@ -18,6 +19,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QSplitter>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -27,7 +29,7 @@ namespace halbench::app {
 
 namespace {
 
-constexpr int GridColumns = 3;
+constexpr int GridColumns = 4;
 constexpr double Places_per_deg = 100.0; ///< of the slider
 constexpr int SingleStep = 50;           ///< half a degree
 constexpr int PageStep = 500;
@@ -69,12 +71,8 @@ CoveragePanel::CoveragePanel(Workbench& bench, QWidget* parent) : QWidget(parent
     column->addWidget(m_words);
     buildFields(*column);
     buildHeld(*column);
-    m_view = new widgets::CoverageView(this);
-    m_view->setToolTip(tr("Click or arrow keys read a pose; Home goes to the middle"));
-    column->addWidget(m_view, 1);
+    buildPictures(*column);
     buildEnd(*column);
-    connect(m_view, &widgets::CoverageView::cursorMoved, this,
-            [this] { m_cursor->setText(m_view->cursorText()); });
     connect(&m_bench, &Workbench::deviceChanged, this, &CoveragePanel::onDevice);
     connect(&m_bench, &Workbench::valuesChanged, this, &CoveragePanel::onDevice);
     onHeldAngle();
@@ -93,12 +91,6 @@ void CoveragePanel::buildFields(QBoxLayout& column) {
                               {tr("Least reading"), tr("Predicted angle error")});
     m_device = grid->addBox(tr("Readings from"), tr("Model that makes the readings of the sensors"),
                             {tr("Physical field"), tr("Additive model")});
-    m_heldAngle = grid->addBox(tr("Held angle"), tr("Angle of the slider; the map is over the other two"));
-    m_heldAngle->setObjectName(QStringLiteral("held_choice"));
-    for (std::size_t angle = 0; angle < AngleNames.size(); ++angle) {
-        m_heldAngle->addItem(angleName(angle));
-    }
-    m_heldAngle->setCurrentIndex(static_cast<int>(HeldAngle::Gamma));
     m_threshold = grid->addNumber({tr("Threshold"), tr("Least reading of R, Θ and Φ in a covered pose"),
                                    QStringLiteral("mT"), 2, 0.0, 1000.0, 1.0});
     m_threshold->setQuantity(10.0);
@@ -109,16 +101,25 @@ void CoveragePanel::buildFields(QBoxLayout& column) {
     const auto changed = qOverload<int>(&QComboBox::currentIndexChanged);
     connect(m_quantity, changed, this, &CoveragePanel::askSlice);
     connect(m_device, changed, this, &CoveragePanel::onDevice);
-    connect(m_heldAngle, changed, this, [this] {
-        onHeldAngle();
-        askSlice();
-    });
     connect(m_threshold, &widgets::QuantityEdit::edited, this, &CoveragePanel::onDevice);
-    connect(m_noise, &widgets::QuantityEdit::edited, this, &CoveragePanel::askSlice);
+    connect(m_noise, &widgets::QuantityEdit::edited, this, [this] {
+        askSlice();
+        askWorkspace();
+    });
 }
 
 void CoveragePanel::buildHeld(QBoxLayout& column) {
-    m_heldName = new QLabel(this);
+    auto* name = new QLabel(tr("Held angle"), this);
+    widgets::setRole(*name, widgets::Role::Muted);
+    m_heldAngle = new QComboBox(this);
+    m_heldAngle->setObjectName(QStringLiteral("held_choice"));
+    m_heldAngle->setAccessibleName(name->text());
+    m_heldAngle->setToolTip(tr("Angle of the slider; the map is over the other two"));
+    for (std::size_t angle = 0; angle < AngleNames.size(); ++angle) {
+        m_heldAngle->addItem(angleName(angle));
+    }
+    m_heldAngle->setCurrentIndex(static_cast<int>(HeldAngle::Gamma));
+    name->setBuddy(m_heldAngle);
     m_slider = new QSlider(Qt::Horizontal, this);
     m_slider->setSingleStep(SingleStep);
     m_slider->setPageStep(PageStep);
@@ -126,14 +127,36 @@ void CoveragePanel::buildHeld(QBoxLayout& column) {
         {tr("Held angle"), tr("Angle at which the map is cut"), QStringLiteral("°"), 2, -90.0, 90.0, 0.5},
         this);
     m_held->setObjectName(QStringLiteral("held_angle"));
-    m_heldName->setBuddy(m_slider);
     auto* row = new QHBoxLayout;
-    row->addWidget(m_heldName);
+    row->addWidget(name);
+    row->addWidget(m_heldAngle);
     row->addWidget(m_slider, 1);
     row->addWidget(m_held);
     column.addLayout(row);
+    connect(m_heldAngle, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+        onHeldAngle();
+        askSlice();
+    });
     connect(m_slider, &QSlider::valueChanged, this, [this](int place) { hold(place / Places_per_deg); });
     connect(m_held, &widgets::QuantityEdit::edited, this, &CoveragePanel::hold);
+}
+
+void CoveragePanel::buildPictures(QBoxLayout& column) {
+    m_sensors = new PlacementEditor(this);
+    m_view = new widgets::CoverageView(this);
+    m_view->setToolTip(tr("Click or arrow keys read a pose; Home goes to the middle"));
+    auto* pictures = new QSplitter(Qt::Horizontal, this);
+    pictures->addWidget(m_sensors);
+    pictures->addWidget(m_view);
+    pictures->setChildrenCollapsible(false);
+    pictures->setStretchFactor(0, 2);
+    pictures->setStretchFactor(1, 3);
+    column.addWidget(pictures, 1);
+    connect(m_sensors, &PlacementEditor::placementChanged, this, &CoveragePanel::onSensors);
+    connect(m_view, &widgets::CoverageView::cursorMoved, this, [this] {
+        m_cursor->setText(m_view->cursorText());
+        showPose();
+    });
 }
 
 void CoveragePanel::buildEnd(QBoxLayout& column) {
@@ -168,8 +191,12 @@ HeldAngle CoveragePanel::held() const {
 }
 
 models::CoverageModel CoveragePanel::model() const {
+    const auto device = static_cast<models::SphericalDevice>(m_device->currentIndex());
+    if (m_sensors->isOnTrial()) {
+        return models::coverageModelOf(m_sensors->device(device), m_sensors->placement());
+    }
     const SensingBoard board = boardSensors(m_bench);
-    if (m_device->currentIndex() == static_cast<int>(models::SphericalDevice::Additive)) {
+    if (device == models::SphericalDevice::Additive) {
         return models::CoverageModel(
             models::AdditiveModel{board.calibration.field.strength_T, board.placement});
     }
@@ -190,19 +217,32 @@ CoverageSliceConfig CoveragePanel::config() const {
 }
 
 void CoveragePanel::onDevice() {
-    m_words->setText(hasDevice()
-                         ? sensorsInWords(boardSensors(m_bench))
-                         : tr("Shows where field sensors about a rotor read enough. Connect a device with "
-                              "such sensors, or play a recording of one."));
+    if (hasDevice()) {
+        m_sensors->setBoard(boardSensors(m_bench));
+    }
+    m_sensors->setEnabled(hasDevice());
+    onSensors();
+}
+
+void CoveragePanel::onSensors() {
+    if (!hasDevice()) {
+        m_words->setText(tr("Shows where field sensors about a rotor read enough. Connect a device with "
+                            "such sensors, or play a recording of one."));
+    } else {
+        SensingBoard board = boardSensors(m_bench);
+        board.placement = m_sensors->placement();
+        const QString words = sensorsInWords(board);
+        m_words->setText(m_sensors->isOnTrial() ? tr("On trial, not on the board. %1").arg(words) : words);
+    }
     askSlice();
     askJudgement();
+    askWorkspace();
 }
 
 void CoveragePanel::onHeldAngle() {
     const double limit_deg = held() == HeldAngle::Gamma ? 90.0 : 45.0;
     const QString name = angleName(static_cast<std::size_t>(held()));
     const QSignalBlocker quiet(m_slider);
-    m_heldName->setText(name);
     m_slider->setAccessibleName(tr("Slider for %1").arg(name));
     m_slider->setToolTip(tr("Arrow keys: half a degree; Page Up and Down: five"));
     m_slider->setRange(static_cast<int>(-limit_deg * Places_per_deg),
@@ -260,7 +300,52 @@ void CoveragePanel::takeSlice(const CoverageSliceConfig& config, const Result<Sl
     m_view->setSlice(std::move(shown));
     markCounterexample();
     m_cursor->setText(m_view->cursorText());
+    showPose();
     showWords();
+}
+
+void CoveragePanel::askWorkspace() {
+    if (!hasDevice()) {
+        m_assessing.cancel();
+        m_sensors->showUncovered({});
+        m_sensors->showFigures({});
+        return;
+    }
+    const auto device = static_cast<models::SphericalDevice>(m_device->currentIndex());
+    m_assessing.run([model = model(), device = m_sensors->device(device), placement = m_sensors->placement(),
+                     config = config()] { return coverageOfWorkspace(model, device, placement, config); },
+                    [this](const Result<CoverageOfWorkspace>& workspace) { takeWorkspace(workspace); });
+}
+
+void CoveragePanel::takeWorkspace(const Result<CoverageOfWorkspace>& workspace) {
+    if (!workspace) {
+        const Error& error = workspace.error();
+        m_sensors->showFigures(widgets::inWords(error.message) + QStringLiteral(": ") +
+                               widgets::inWords(error.hint));
+        return;
+    }
+    m_sensors->showUncovered(workspace->uncovered);
+    const models::PlacementResult& figures = workspace->figures;
+    m_sensors->showFigures(
+        tr("Least reading %1 mT, conditioning %2, predicted error %3° rms")
+            .arg(widgets::fixedText(1e3 * figures.least_T, 2),
+                 figures.conditioning > 0.0 ? widgets::fixedText(figures.conditioning, 3) : tr("none"),
+                 widgets::fixedText(radiansToDegrees(figures.deviation_rad), 4)));
+}
+
+/// The rotor stands in the pose that is read from the map; else in the middle of it.
+void CoveragePanel::showPose() {
+    if (!hasDevice()) {
+        return;
+    }
+    const QPointF at_deg = m_view->cursor().value_or(QPointF());
+    const auto [down, across] = freeAngles(held());
+    std::array<double, 3> angles_rad{};
+    angles_rad[static_cast<std::size_t>(held())] = degreesToRadians(m_held->value());
+    angles_rad[across] = degreesToRadians(at_deg.x());
+    angles_rad[down] = degreesToRadians(at_deg.y());
+    const models::OrientationAngles angles{angles_rad[0], angles_rad[1], angles_rad[2]};
+    m_sensors->showPose(angles, model().readings_T(angles));
 }
 
 /// A proof that is no longer asked for ends early.

@@ -26,9 +26,11 @@ class QuantityEdit;
 
 namespace halbench::app {
 
+class PlacementEditor;
+
 /// Coverage of the connected board's sensors, or of those of the recording that is played, as slices over two
-/// angles with a slider for the third (resources/help/monitor.md, "Coverage"). Computes on threads of its
-/// own. Thread: GUI.
+/// angles with a slider for the third; beside it the sensors on the rotor, which can be moved on trial
+/// (resources/help/monitor.md, "Coverage"). Computes on threads of its own. Thread: GUI.
 class CoveragePanel : public QWidget {
     Q_OBJECT
 public:
@@ -40,14 +42,19 @@ public:
 private:
     void buildFields(QBoxLayout& column);
     void buildHeld(QBoxLayout& column);
+    void buildPictures(QBoxLayout& column);
     void buildEnd(QBoxLayout& column);
     void onDevice();
+    void onSensors();
     void onHeldAngle();
     void hold(double angle_deg);
     void askSlice();
     void askJudgement();
+    void askWorkspace();
     void takeSlice(const CoverageSliceConfig& config, const Result<SliceOfCoverage>& slice);
     void takeJudgement(const Result<CoverageJudgement>& judgement);
+    void takeWorkspace(const Result<CoverageOfWorkspace>& workspace);
+    void showPose();
     void goToCounterexample();
     void markCounterexample();
     void showWords();
@@ -64,9 +71,9 @@ private:
     QComboBox* m_heldAngle = nullptr;
     widgets::QuantityEdit* m_threshold = nullptr;
     widgets::QuantityEdit* m_noise = nullptr;
-    QLabel* m_heldName = nullptr;
     QSlider* m_slider = nullptr;
     widgets::QuantityEdit* m_held = nullptr;
+    PlacementEditor* m_sensors = nullptr;
     widgets::CoverageView* m_view = nullptr;
     QPushButton* m_go = nullptr;
     QPushButton* m_save = nullptr;
@@ -81,6 +88,7 @@ private:
     std::shared_ptr<std::atomic<bool>> m_isStopped; ///< the proof that runs
     LatestTask m_slicing;                           ///< last: what they compute ends first
     LatestTask m_judging;
+    LatestTask m_assessing;
 };
 
 ActuatorPanel coverageActuatorPanel();

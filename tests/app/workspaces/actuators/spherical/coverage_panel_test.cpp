@@ -1,14 +1,19 @@
 #include "app/workspaces/actuators/spherical/coverage_panel.h"
+#include "control/base/units.h"
 #include "tests/app/workspaces/bench_fixture.h"
 #include "widgets/actuators/spherical/coverage_view.h"
+#include "widgets/actuators/spherical/placement_view.h"
 #include "widgets/controls/quantity_edit.h"
 
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTemporaryDir>
+
+#include <cmath>
 
 namespace halbench::app {
 namespace {
@@ -86,6 +91,56 @@ TEST_F(CoveragePanelTest, otherSensorsHaveAnotherProof) {
     ASSERT_TRUE(*written);
     EXPECT_TRUE(says("Proven"));
     EXPECT_FALSE(find<QPushButton>(*panel, "Go to counterexample")->isEnabled());
+}
+
+// resources/help/spherical-theory.md section 6: the recommended placement is proven, reads 0.0408 T at least
+// and has a conditioning of 1.846.
+TEST_F(CoveragePanelTest, recommendedPlacementIsTriedAndTheBoardStaysAsItIs) {
+    connectTo("sim:spherical?imperfections=off", 5.0);
+    ASSERT_TRUE(says("Not covered"));
+    ASSERT_TRUE(wait([&] { return words("Figures of the placement").contains("Least reading 0.0"); }));
+    click(*panel, "Recommended");
+    ASSERT_TRUE(says("Proven"));
+    const QRegularExpression figures("Least reading (40\\.\\d+) mT, conditioning 1\\.846,");
+    ASSERT_TRUE(wait([&] { return figures.match(words("Figures of the placement")).hasMatch(); }));
+    const double least_mT = figures.match(words("Figures of the placement")).captured(1).toDouble();
+    EXPECT_NEAR(least_mT, 40.8, 0.05); // printed to 0.1 mT
+    EXPECT_TRUE(
+        words("Sensors of the map").startsWith("On trial, not on the board. Sensors at (0, 0, 0)°, (40, "));
+    EXPECT_EQ(bench().deviceValue("sensor.alpha_1"), 0.0);
+    click(*panel, "Board's placement");
+    EXPECT_TRUE(says("Not covered: (0, 0, 17.63)°"));
+    EXPECT_TRUE(words("Sensors of the map").startsWith("Sensors at (0, 0, 0)°, (0, 0, 45)°"));
+}
+
+TEST_F(CoveragePanelTest, sensorIsMovedByKeysAndByItsAngles) {
+    connectTo("sim:spherical?imperfections=off", 5.0);
+    ASSERT_TRUE(says("Not covered"));
+    auto* sphere = panel->findChild<widgets::PlacementView*>();
+    QTest::keyClick(sphere, Qt::Key_1);
+    QTest::keyClick(sphere, Qt::Key_Right);
+    QTest::keyClick(sphere, Qt::Key_Up);
+    const Eigen::Vector3d& place_m = sphere->sensors()[1].place_m;
+    EXPECT_NEAR(std::atan2(place_m.y(), place_m.x()), degreesToRadians(46.0),
+                1e-7); // the board's angles are floats
+    EXPECT_NEAR(std::asin(place_m.z() / place_m.norm()), degreesToRadians(1.0), 1e-7);
+    auto* gamma = find<widgets::QuantityEdit>(*panel, "Δγ");
+    EXPECT_NEAR(gamma->value(), 46.0, 0.005);
+    type(gamma, "50");
+    QTest::keyClick(gamma, Qt::Key_Return);
+    EXPECT_NEAR(std::atan2(place_m.y(), place_m.x()), degreesToRadians(50.0), 1e-9);
+    EXPECT_TRUE(words("Sensors of the map").contains("On trial"));
+}
+
+TEST_F(CoveragePanelTest, twoSensorsAtOnePlaceAreRefused) {
+    connectTo("sim:spherical?imperfections=off", 5.0);
+    ASSERT_TRUE(says("Not covered"));
+    find<QComboBox>(*panel, "Sensor")->setCurrentIndex(1);
+    auto* gamma = find<widgets::QuantityEdit>(*panel, "Δγ");
+    type(gamma, "0"); // where sensor 0 is
+    QTest::keyClick(gamma, Qt::Key_Return);
+    EXPECT_TRUE(wait([&] { return words("Figures of the placement").contains("same place"); }))
+        << words("Figures of the placement").toStdString();
 }
 
 TEST_F(CoveragePanelTest, savesThePicture) {
