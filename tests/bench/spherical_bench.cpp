@@ -1,5 +1,6 @@
 // Orientation estimators of the spherical motor against the times of the published solver, coverage and
 // placement against what a user waits for.
+#include "app/analyses/spherical/coverage_slice.h"
 #include "control/base/units.h"
 #include "models/spherical/additive_inverse.h"
 #include "models/spherical/coverage/coverage_map.h"
@@ -201,6 +202,17 @@ void benchCoverage(Goals& goals) {
         },
         3);
     goals.below("coverage of 11.8 million poses, one thread", coverage_s, 3.0, "s");
+    // What follows a sensor that is dragged in the window: slice and workspace, on threads of their own
+    // there.
+    const app::CoverageSliceConfig slice;
+    const double drag_s = processorTime_s(
+        [&] {
+            benchmark::DoNotOptimize(app::coverageSlice(model, slice)->uncovered);
+            benchmark::DoNotOptimize(
+                app::coverageOfWorkspace(model, {}, publishedPlacement(), slice)->figures.least_T);
+        },
+        Rounds);
+    goals.below("map and figures of a sensor that is dragged", drag_s, 0.1, "s");
     const double search_s = wallTime_s([&] { benchmark::DoNotOptimize(searchPlacement({})->pairs); }, 1);
     goals.below("placement search on the 5-degree lattice", search_s, 120.0, "s");
 }
