@@ -3,9 +3,8 @@
 #include "app/workspaces/device/device_panel.h"
 #include "app/workspaces/monitor/monitor_panel.h"
 #include "devices/formats/recording_file.h"
-#include "tests/app/window/window_test.h"
+#include "tests/app/window/docks/keyboard_test.h"
 #include "tests/devices/transport/served_board.h"
-#include "widgets/controls/stop_button.h"
 
 #include <QAbstractButton>
 #include <QListWidget>
@@ -64,35 +63,12 @@ TEST_F(WorkdayTest, connectsWatchesDrivesRecordsAndStops) {
     EXPECT_EQ(file->recording.column("status").back(), 2.0);       // and the stop
 }
 
-/// Identify, tune, apply, restore, stop with nothing but keys, each sent to whatever has the focus.
-class KeyboardDayTest : public WorkdayTest {
+class KeyboardDayTest : public KeyboardTest {
 protected:
-    void press(Qt::Key code, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-        QWidget* focused = QApplication::focusWidget();
-        ASSERT_NE(focused, nullptr);
-        EXPECT_EQ(qobject_cast<widgets::StopButton*>(focused), nullptr); // only on purpose
-        QTest::keyClick(focused, code, modifiers);
-    }
-    static QString focusedText() {
-        const auto* button = qobject_cast<QAbstractButton*>(QApplication::focusWidget());
-        return button != nullptr ? button->text() : QString();
-    }
-    /// With Tab, past STOP too: that is where it may be reached.
-    void tabTo(const QString& text) {
-        constexpr int MostStops = 200;
-        for (int i = 0; i < MostStops && focusedText() != text; ++i) {
-            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
-        }
-        ASSERT_EQ(focusedText().toStdString(), text.toStdString());
-    }
-
     void identifyTuneAndApply() {
         constexpr int Fit_ms = 120000;
-        connectByKey();
-        QApplication::setActiveWindow(window.get());
-        session().setPace({0.0});
-        press(Qt::Key_2, Qt::ControlModifier);
-        ASSERT_TRUE(wait([&] { return window->docks().perspective() == Perspective::Identify; }));
+        connectByKeys("sim:htm");
+        goTo(Perspective::Identify, Qt::Key_2);
         tabTo("Start identification");
         press(Qt::Key_Space);
         ASSERT_TRUE(QTest::qWaitFor([&] { return window->bench().identification().has_value(); }, Fit_ms));
