@@ -8,6 +8,7 @@
 #include "app/window/file_dialogs.h"
 #include "app/window/file_drop.h"
 #include "app/window/focus_fallback.h"
+#include "app/window/frame_clock.h"
 #include "app/window/help/help_window.h"
 #include "app/window/panel_connections.h"
 #include "app/window/preferences/language.h"
@@ -55,7 +56,6 @@ namespace halbench::app {
 
 namespace {
 
-constexpr int FramePeriod_ms = 33;
 constexpr int AutosavePeriod_ms = 5000;
 /// Of a window that is opened without being painted, as a minimised one.
 constexpr int LatestFurnish_ms = 500;
@@ -95,7 +95,8 @@ public:
 } // namespace
 
 MainWindow::MainWindow(Preferences preferences)
-    : m_preferences(std::move(preferences)), m_historyPages(historyPagesOf(m_preferences.historyLimit_GB)) {
+    : m_preferences(std::move(preferences)), m_historyPages(historyPagesOf(m_preferences.historyLimit_GB)),
+      m_frame(new FrameClock(*this)) {
     m_bench.setHistoryPages(m_historyPages);
     auto* place = new RecordingPlace(m_bench, this); // before the panels, which show it
     connect(this, &MainWindow::furnished, place, &RecordingPlace::tell);
@@ -107,8 +108,8 @@ MainWindow::MainWindow(Preferences preferences)
     guard->setNothingToStop([this] { return m_bench.drive().isNothingToStop(); });
     connect(guard, &StopGuard::escapePressed, this, [this] { noteStop(tr("by Esc")); });
     new ReturnKey(this);
-    connect(&m_frame, &QTimer::timeout, &m_bench, &Workbench::drainSamples);
-    m_frame.start(FramePeriod_ms);
+    connect(m_frame, &QTimer::timeout, &m_bench, &Workbench::drainSamples);
+    m_frame->start();
     connect(&m_autosave, &QTimer::timeout, this, &MainWindow::autosave);
     new FocusFallback(*m_docks->widget(), this);
     m_docks->widget()->setFocus(); // never STOP first
@@ -139,7 +140,7 @@ void MainWindow::usePreferredPerspective() {
 }
 
 MainWindow::~MainWindow() {
-    m_frame.stop();
+    m_frame->stop();
     m_bench.session().end(); // first: a slow disk must not keep it armed
     if (m_project) {
         m_project->finishWriting(); // while there is a window to say how it went

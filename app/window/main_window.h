@@ -18,6 +18,7 @@ namespace halbench::app {
 
 class DevicePanel;
 class DockLayout;
+class FrameClock;
 class LinkPanel;
 class NotesPanel;
 class ProjectMenu;
@@ -120,8 +121,8 @@ private:
     std::shared_ptr<devices::PageFile> m_historyPages;
     Workbench m_bench;
     std::unique_ptr<ProjectSession> m_project; ///< since furnish(): taking its lock waits for the disk
-    QTimer m_frame;                            ///< one for all that moves
-    QTimer m_autosave;                         ///< at most so much work is lost in a crash
+    FrameClock* m_frame = nullptr;
+    QTimer m_autosave; ///< at most so much work is lost in a crash
     widgets::MessageBar* m_message = nullptr;
     std::function<void()> m_remedy;           ///< what the button of the message does
     widgets::MessageBar* m_refusal = nullptr; ///< why the window did not close

@@ -1,11 +1,16 @@
 // What the user of the window feels: how soon the window is there, what it costs to idle.
+#include "app/window/docks/dock_layout.h"
 #include "app/window/main_window.h"
 #include "app/window/window_application.h"
 #include "app/window/window_program.h"
 #include "tests/bench/goal.h"
 #include "tests/bench/window_rig.h"
+#include "widgets/live_plot/live_plot_stack.h"
 
+#include <QAction>
 #include <QApplication>
+#include <QProcess>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTimer>
 #include <QtTest/QTest>
@@ -39,6 +44,52 @@ void benchIdle(Goals& goals, app::MainWindow& window) {
     }
     QTest::qWait(2000); // what follows the connection
     goals.below(Connected, idleShare_ratio(), 0.15, "");
+}
+
+/// A board that a process of its own simulates, so that only the window's work is counted.
+class ServedMotor {
+public:
+    ServedMotor() {
+        m_program.start(QStringLiteral(HALBENCH_PROGRAM),
+                        {QStringLiteral("serve"), QStringLiteral("sim:htm"), QStringLiteral("--tcp"),
+                         QStringLiteral("127.0.0.1:0")});
+        while (m_address.isEmpty() && m_program.waitForReadyRead(Patience_ms)) {
+            const QRegularExpression address(QStringLiteral("tcp:127\\.0\\.0\\.1:\\d+"));
+            m_address = address.match(QString::fromUtf8(m_program.readAll())).captured();
+        }
+    }
+    ~ServedMotor() {
+        m_program.terminate();
+        m_program.waitForFinished();
+    }
+    const QString& address() const { return m_address; }
+
+private:
+    QProcess m_program;
+    QString m_address;
+};
+
+/// The goals of resources/help/monitor.md: live plots that follow, plots that are paused, a window that
+/// nobody sees.
+void benchWatching(Goals& goals, app::MainWindow& window) {
+    constexpr const char* Following = "live plots of a served board at 1920x1200, share of a core";
+    const ServedMotor motor;
+    window.resize(1920, 1200);
+    window.connectDevice(motor.address());
+    const auto isConnected = [&] { return !window.bench().deviceValues().empty(); };
+    if (motor.address().isEmpty() || !QTest::qWaitFor(isConnected, Patience_ms)) {
+        return goals.failed(Following, "the served motor does not connect");
+    }
+    QTest::qWait(12000); // until the plots scroll
+    goals.below(Following, idleShare_ratio(), 0.12, "");
+    auto* plots = window.docks().panel("monitor")->findChild<widgets::LivePlotStack*>();
+    plots->action(widgets::LivePlotStack::Command::Pause)->trigger();
+    QTest::qWait(1000);
+    goals.below("the same, paused", idleShare_ratio(), 0.04, "");
+    plots->action(widgets::LivePlotStack::Command::Pause)->trigger();
+    window.showMinimized();
+    QTest::qWait(1000);
+    goals.below("the same, minimised", idleShare_ratio(), 0.02, "");
 }
 
 /// Ends the process when the event loop comes back from the first paint of a window: what the user waits for.
@@ -91,8 +142,8 @@ void benchFirstPaint(Goals& goals, const std::string& self) {
 int run(const std::string& self) {
     Goals goals;
     benchFirstPaint(goals, self);
-    const auto window = openWindow();
-    benchIdle(goals, *window);
+    benchIdle(goals, *openWindow()); // gone before the next one, whose share is counted
+    benchWatching(goals, *openWindow());
     return goals.exitCode();
 }
 

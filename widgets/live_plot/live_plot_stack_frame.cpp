@@ -32,7 +32,7 @@ constexpr std::array<TitleForm, 6> TitleForms{
 
 void LivePlotStack::refresh() {
     Q_EMIT frameStarting();
-    if (!isVisible()) {
+    if (!isVisible() || window()->isMinimized()) {
         return;
     }
     const std::optional<std::uint64_t> revision =

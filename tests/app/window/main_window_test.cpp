@@ -18,6 +18,7 @@
 #include <QScreen>
 #include <QTemporaryDir>
 #include <qtadvanceddocking/DockWidget.h>
+#include <qwt_plot_canvas.h>
 
 #include <functional>
 #include <future>
@@ -43,6 +44,18 @@ private:
     std::function<void()> m_told;
 };
 
+/// Counts the paints of what it watches.
+class PaintCount : public QObject {
+public:
+    int count = 0;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        count += event->type() == QEvent::Paint ? 1 : 0;
+        return QObject::eventFilter(watched, event);
+    }
+};
+
 class MainWindowTest : public WindowTest {
 protected:
     void startMove() {
@@ -60,6 +73,24 @@ protected:
 
     std::optional<Result<MoveResult>> moved;
 };
+
+TEST_F(MainWindowTest, aMinimisedWindowDrawsNothingAndStillTakesItsSamples) {
+    open();
+    connectMotor(1.0);
+    PaintCount paints;
+    for (QWidget* canvas : window->docks().panel("monitor")->findChildren<QwtPlotCanvas*>()) {
+        canvas->installEventFilter(&paints);
+    }
+    ASSERT_TRUE(wait([&] { return paints.count > 3; }));
+    window->showMinimized();
+    settle();
+    paints.count = 0;
+    const std::uint64_t before = window->bench().history().revision();
+    ASSERT_TRUE(wait([&] { return window->bench().history().revision() > before + 3; }));
+    EXPECT_EQ(paints.count, 0);
+    window->showNormal();
+    EXPECT_TRUE(wait([&] { return paints.count > 3; }));
+}
 
 TEST_F(MainWindowTest, enterInTheDeviceListConnectsTheSimulatedMotor) {
     open();
