@@ -20624,6 +20624,26 @@ Hall B
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>Figures of the placement</source>
+        <translation>Kennzahlen der Anordnung</translation>
+    </message>
+    <message>
+        <source>&amp;Board&apos;s placement</source>
+        <translation>Anordnung des &amp;Boards</translation>
+    </message>
+    <message>
+        <source>Show the sensors of the board again (Alt+B)</source>
+        <translation>Wieder die Sensoren des Boards zeigen (Alt+B)</translation>
+    </message>
+    <message>
+        <source>&amp;Recommended</source>
+        <translation>&amp;Empfohlen</translation>
+    </message>
+    <message>
+        <source>Try the placement that is proven to cover all (Alt+R)</source>
+        <translation>Nachweislich lückenlose Anordnung probieren (Alt+E)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::CoverageView</name>
@@ -20653,26 +20673,6 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>Drehung von der X-Achse zum Ort des Sensors</translation>
-    </message>
-    <message>
-        <source>Figures of the placement</source>
-        <translation>Kennzahlen der Anordnung</translation>
-    </message>
-    <message>
-        <source>&amp;Board&apos;s placement</source>
-        <translation>Anordnung des &amp;Boards</translation>
-    </message>
-    <message>
-        <source>Show the sensors of the board again (Alt+B)</source>
-        <translation>Wieder die Sensoren des Boards zeigen (Alt+B)</translation>
-    </message>
-    <message>
-        <source>&amp;Recommended</source>
-        <translation>&amp;Empfohlen</translation>
-    </message>
-    <message>
-        <source>Try the placement that is proven to cover all (Alt+R)</source>
-        <translation>Nachweislich lückenlose Anordnung probieren (Alt+E)</translation>
     </message>
 </context>
 </TS>

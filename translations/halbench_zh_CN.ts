@@ -20609,6 +20609,26 @@ Hall B
         <source>none</source>
         <translation>无</translation>
     </message>
+    <message>
+        <source>Figures of the placement</source>
+        <translation>布置的指标</translation>
+    </message>
+    <message>
+        <source>&amp;Board&apos;s placement</source>
+        <translation>控制板的布置(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the sensors of the board again (Alt+B)</source>
+        <translation>重新显示控制板的传感器 (Alt+B)</translation>
+    </message>
+    <message>
+        <source>&amp;Recommended</source>
+        <translation>推荐布置(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Try the placement that is proven to cover all (Alt+R)</source>
+        <translation>试用经证明完全覆盖的布置 (Alt+R)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::CoverageView</name>
@@ -20638,26 +20658,6 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>从 X 轴到传感器位置的旋转</translation>
-    </message>
-    <message>
-        <source>Figures of the placement</source>
-        <translation>布置的指标</translation>
-    </message>
-    <message>
-        <source>&amp;Board&apos;s placement</source>
-        <translation>控制板的布置(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Show the sensors of the board again (Alt+B)</source>
-        <translation>重新显示控制板的传感器 (Alt+B)</translation>
-    </message>
-    <message>
-        <source>&amp;Recommended</source>
-        <translation>推荐布置(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Try the placement that is proven to cover all (Alt+R)</source>
-        <translation>试用经证明完全覆盖的布置 (Alt+R)</translation>
     </message>
 </context>
 </TS>

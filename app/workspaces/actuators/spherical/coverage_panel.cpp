@@ -34,6 +34,7 @@ constexpr double Places_per_deg = 100.0; ///< of the slider
 constexpr int SingleStep = 50;           ///< half a degree
 constexpr int PageStep = 500;
 constexpr int NoteLines = 2;
+constexpr int LeastPictures_px = 260;
 constexpr QSize PictureSize_px(900, 700);
 constexpr std::array AngleNames = {"α", "β", "γ"};
 constexpr std::array Components = {"R", "Θ", "Φ"};
@@ -65,7 +66,7 @@ std::pair<std::size_t, std::size_t> freeAngles(HeldAngle held) {
 } // namespace
 
 CoveragePanel::CoveragePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
-    QVBoxLayout* column = makePanelColumn(this);
+    QVBoxLayout* column = makeScrollingColumn(this);
     m_words = makeNote(this);
     m_words->setAccessibleName(tr("Sensors of the map"));
     column->addWidget(m_words);
@@ -149,6 +150,8 @@ void CoveragePanel::buildPictures(QBoxLayout& column) {
     pictures->addWidget(m_sensors);
     pictures->addWidget(m_view);
     pictures->setChildrenCollapsible(false);
+    pictures->setMinimumHeight(LeastPictures_px);
+    pictures->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // takes the room that is left
     pictures->setStretchFactor(0, 2);
     pictures->setStretchFactor(1, 3);
     column.addWidget(pictures, 1);
@@ -164,6 +167,10 @@ void CoveragePanel::buildEnd(QBoxLayout& column) {
     m_cursor->setAccessibleName(tr("Pose read from the map"));
     reserveLines(*m_cursor, 1);
     column.addWidget(m_cursor);
+    m_figures = makeNote(this);
+    m_figures->setAccessibleName(tr("Figures of the placement"));
+    reserveLines(*m_figures, 1);
+    column.addWidget(m_figures);
     m_verdict = makeNote(this);
     m_verdict->setAccessibleName(tr("Coverage of all poses"));
     reserveLines(*m_verdict, NoteLines);
@@ -171,10 +178,18 @@ void CoveragePanel::buildEnd(QBoxLayout& column) {
     m_go = makeButton({tr("Go to &counterexample"), tr("Show the slice of the uncovered pose (Alt+C)"), {}},
                       this);
     m_save = makeButton({tr("Save &picture…"), tr("Save as SVG, PDF or PNG (Alt+P)"), {}}, this);
+    m_back =
+        makeButton({tr("&Board's placement"), tr("Show the sensors of the board again (Alt+B)"), {}}, this);
+    m_recommended = makeButton(
+        {tr("&Recommended"), tr("Try the placement that is proven to cover all (Alt+R)"), {}}, this);
+    connect(m_back, &QPushButton::clicked, m_sensors, &PlacementEditor::goBack);
+    connect(m_recommended, &QPushButton::clicked, m_sensors, &PlacementEditor::tryRecommended);
     connect(m_go, &QPushButton::clicked, this, &CoveragePanel::goToCounterexample);
     connect(m_save, &QPushButton::clicked, this, &CoveragePanel::savePicture);
     auto* row = new QHBoxLayout;
     row->addWidget(m_go);
+    row->addWidget(m_back);
+    row->addWidget(m_recommended);
     row->addWidget(m_save);
     row->addStretch();
     column.addLayout(row);
@@ -221,10 +236,12 @@ void CoveragePanel::onDevice() {
         m_sensors->setBoard(boardSensors(m_bench));
     }
     m_sensors->setEnabled(hasDevice());
+    m_recommended->setEnabled(hasDevice());
     onSensors();
 }
 
 void CoveragePanel::onSensors() {
+    m_back->setEnabled(hasDevice() && m_sensors->isOnTrial());
     if (!hasDevice()) {
         m_words->setText(tr("Shows where field sensors about a rotor read enough. Connect a device with "
                             "such sensors, or play a recording of one."));
@@ -308,7 +325,7 @@ void CoveragePanel::askWorkspace() {
     if (!hasDevice()) {
         m_assessing.cancel();
         m_sensors->showUncovered({});
-        m_sensors->showFigures({});
+        m_figures->setText({});
         return;
     }
     const auto device = static_cast<models::SphericalDevice>(m_device->currentIndex());
@@ -320,13 +337,13 @@ void CoveragePanel::askWorkspace() {
 void CoveragePanel::takeWorkspace(const Result<CoverageOfWorkspace>& workspace) {
     if (!workspace) {
         const Error& error = workspace.error();
-        m_sensors->showFigures(widgets::inWords(error.message) + QStringLiteral(": ") +
-                               widgets::inWords(error.hint));
+        m_figures->setText(widgets::inWords(error.message) + QStringLiteral(": ") +
+                           widgets::inWords(error.hint));
         return;
     }
     m_sensors->showUncovered(workspace->uncovered);
     const models::PlacementResult& figures = workspace->figures;
-    m_sensors->showFigures(
+    m_figures->setText(
         tr("Least reading %1 mT, conditioning %2, predicted error %3° rms")
             .arg(widgets::fixedText(1e3 * figures.least_T, 2),
                  figures.conditioning > 0.0 ? widgets::fixedText(figures.conditioning, 3) : tr("none"),

@@ -76,6 +76,9 @@ private:
     PlacementEditor* m_sensors = nullptr;
     widgets::CoverageView* m_view = nullptr;
     QPushButton* m_go = nullptr;
+    QPushButton* m_back = nullptr;
+    QPushButton* m_recommended = nullptr;
+    QLabel* m_figures = nullptr;
     QPushButton* m_save = nullptr;
     QLabel* m_cursor = nullptr;
     QLabel* m_verdict = nullptr;

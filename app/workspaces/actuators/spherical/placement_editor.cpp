@@ -7,9 +7,6 @@
 #include "widgets/controls/quantity_edit.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -20,7 +17,6 @@ namespace halbench::app {
 namespace {
 
 constexpr int GridColumns = 4;
-constexpr int FigureLines = 1;
 
 /// The three angles of a placement, in the order of its name (da, db, dg).
 std::array<double*, 3> partsOf(models::PlacementAngles& angles) {
@@ -38,7 +34,6 @@ PlacementEditor::PlacementEditor(QWidget* parent)
     m_view->setToolTip(tr("Drag a sensor, or 0, 1, 2 and arrow keys; Shift turns"));
     column->addWidget(m_view, 1);
     buildAngles(*column);
-    buildEnd(*column);
     connect(m_view, &widgets::PlacementView::sensorMoved, this, &PlacementEditor::moveSensor);
     connect(m_view, &widgets::PlacementView::sensorChosen, m_sensor,
             [this](std::size_t sensor) { m_sensor->setCurrentIndex(static_cast<int>(sensor)); });
@@ -63,27 +58,6 @@ void PlacementEditor::buildAngles(QBoxLayout& column) {
         connect(m_angles[i], &widgets::QuantityEdit::edited, this, &PlacementEditor::takeAngles);
     }
     column.addWidget(grid);
-}
-
-void PlacementEditor::buildEnd(QBoxLayout& column) {
-    m_figures = makeNote(this);
-    m_figures->setAccessibleName(tr("Figures of the placement"));
-    reserveLines(*m_figures, FigureLines);
-    column.addWidget(m_figures);
-    m_back =
-        makeButton({tr("&Board's placement"), tr("Show the sensors of the board again (Alt+B)"), {}}, this);
-    auto* recommended = makeButton(
-        {tr("&Recommended"), tr("Try the placement that is proven to cover all (Alt+R)"), {}}, this);
-    connect(m_back, &QPushButton::clicked, this, &PlacementEditor::goBack);
-    connect(recommended, &QPushButton::clicked, this, [this] {
-        tryPlacement(models::recommendedPlacement());
-        showAngles();
-    });
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_back);
-    row->addWidget(recommended);
-    row->addStretch();
-    column.addLayout(row);
 }
 
 void PlacementEditor::setBoard(const SensingBoard& board) {
@@ -145,6 +119,11 @@ void PlacementEditor::takeAngles() {
     tryPlacement(placement);
 }
 
+void PlacementEditor::tryRecommended() {
+    tryPlacement(models::recommendedPlacement());
+    showAngles();
+}
+
 void PlacementEditor::goBack() {
     m_isOnTrial = false;
     m_placement = m_board.placement;
@@ -160,7 +139,6 @@ void PlacementEditor::showSensors() {
         sensors[i] = {shown[i].position_m, shown[i].axes};
     }
     m_view->setSensors(sensors);
-    m_back->setEnabled(m_isOnTrial);
 }
 
 void PlacementEditor::showAngles() {
@@ -187,10 +165,6 @@ void PlacementEditor::showUncovered(const std::vector<UncoveredShaft>& shafts) {
             {models::rotationOf({shaft.alpha_rad, shaft.beta_rad, 0.0}).col(2), std::sqrt(shaft.share)});
     }
     m_view->setWanted(std::move(dots));
-}
-
-void PlacementEditor::showFigures(const QString& words) {
-    m_figures->setText(words);
 }
 
 } // namespace halbench::app

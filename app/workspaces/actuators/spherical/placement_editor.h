@@ -10,8 +10,6 @@
 
 class QBoxLayout;
 class QComboBox;
-class QLabel;
-class QPushButton;
 
 namespace halbench::widgets {
 class PlacementView;
@@ -36,22 +34,23 @@ public:
     /// The device that the placement on trial is judged for.
     models::PlacementDevice device(models::SphericalDevice model) const;
 
+    void tryRecommended();
+    /// To the board's placement.
+    void goBack();
+
     /// The rotor in a pose, with what the sensors read there.
     void showPose(const models::OrientationAngles& angles, const models::SphericalReadings& readings_T);
     /// Dots at the shafts of poses that are not covered.
     void showUncovered(const std::vector<UncoveredShaft>& shafts);
-    void showFigures(const QString& words);
 
 Q_SIGNALS:
     void placementChanged();
 
 private:
     void buildAngles(QBoxLayout& column);
-    void buildEnd(QBoxLayout& column);
     void tryPlacement(const models::SensorTriple& placement);
     void moveSensor(std::size_t sensor, const Eigen::Vector3d& direction);
     void takeAngles();
-    void goBack();
     void showSensors();
     void showAngles();
 
@@ -61,8 +60,6 @@ private:
     widgets::PlacementView* m_view = nullptr;
     QComboBox* m_sensor = nullptr;
     std::array<widgets::QuantityEdit*, 3> m_angles{};
-    QLabel* m_figures = nullptr;
-    QPushButton* m_back = nullptr;
 };
 
 } // namespace halbench::app
