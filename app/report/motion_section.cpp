@@ -179,9 +179,9 @@ void appendMove(ReportSection& section, const MoveResult& result,
     if (!figure.panels.empty()) {
         section.blocks.emplace_back(ReportPlot{std::move(figure), {}});
     }
-    ReportFacts facts{
-        {{"peak current", fmt::format("{:.3f} A", result.peakCurrent_A)},
-         {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}};
+    ReportFacts facts;
+    facts.addMeasured("peak current", result.peakCurrent_A, 3, "A");
+    facts.addMeasured("highest coil temperature", result.highestTemperature_degC, 1, "\u00b0C");
     for (const CrossAxisPeak& other : result.others) {
         const PositionScale scale = scaleOf(other.axis);
         facts.facts.push_back(
@@ -194,7 +194,9 @@ void appendMove(ReportSection& section, const MoveResult& result,
             {"locked means", fmt::format("error below {:.3g}{} to the end",
                                          scale.perUnit * *result.lockThreshold, scale.unit)});
     }
-    section.blocks.emplace_back(std::move(facts));
+    if (!facts.facts.empty()) {
+        section.blocks.emplace_back(std::move(facts));
+    }
 }
 
 /// Only what differs is worth a row.

@@ -58,16 +58,6 @@ std::vector<devices::GuardLimit> guardLimits(const devices::Catalogue& catalogue
     return limits;
 }
 
-double highestOf(const Recording& recording) {
-    double highest_degC = -273.0;
-    for (const std::string& name : coilNames("coil_temperature.coil")) {
-        for (const double value : recording.column(name)) {
-            highest_degC = std::max(highest_degC, value);
-        }
-    }
-    return highest_degC;
-}
-
 // The chips of a row see what flowed until then: the currents of the row before.
 Result<PlatenMotion> motionFrom(Recording recording) {
     PlatenMotion motion;
@@ -105,7 +95,6 @@ Result<PlatenMotion> motionFrom(Recording recording) {
         motion.samples[n].current_A = motion.current_A[n > 0 ? n - 1 : 0];
         motion.samples[n].pose = {pose[0][n], pose[1][n], pose[2][n]};
     }
-    motion.highestTemperature_degC = highestOf(recording);
     motion.recording = std::move(recording);
     return motion;
 }

@@ -82,7 +82,7 @@ struct PathResult {
     devices::AxisSpec axis;
     MoveFigures measured;
     std::optional<MoveFigures> truth;
-    double peakEffort = 0.0;
+    std::optional<double> peakEffort;
     ContourError measuredContour;
     std::optional<ContourError> trueContour;
 };
@@ -91,12 +91,13 @@ struct MoveResult {
     MoveFigures measured;
     std::optional<MoveFigures> truth; ///< on a device that knows the true position
     Recording recording;              ///< from the start of the reference; time from 0
-    double peakCurrent_A = 0.0;
-    double highestTemperature_degC = 0.0;
-    std::optional<double> lockThreshold; ///< that both lock times are meant with
+    // Nothing where the board does not report it.
+    std::optional<double> peakCurrent_A;
+    std::optional<double> highestTemperature_degC; ///< of the coils, where the board reports it
+    std::optional<double> lockThreshold;           ///< that both lock times are meant with
     DataQuality quality;
     devices::AxisSpec axis = {};            ///< that moved
-    double peakEffort = 0.0;                ///< of that axis, in its effort unit
+    std::optional<double> peakEffort = {};  ///< of that axis, in its effort unit
     std::vector<CrossAxisPeak> others = {}; ///< empty on a device with one axis
     std::optional<double> travel_s = {};    ///< of a travel or path, known before it began
     std::optional<PathResult> path = {};

@@ -93,7 +93,7 @@ TEST_P(AxisStep, isThatOfAFreeMassWithThePublishedGains) {
     EXPECT_LT(farthest, 0.02 * std::fabs(each.height));
     // The first demand is the largest, M kp b of the height; 1 % of it are the harmonics.
     const double first = each.inertia * each.loop.kp * each.loop.weight * std::fabs(each.height);
-    EXPECT_NEAR(result.peakEffort / first, 1.0, 0.01);
+    EXPECT_NEAR(result.peakEffort.value() / first, 1.0, 0.01);
 }
 
 constexpr FreeMassLoop LinearLoop{1032.0, 1980.0, 62.2};
