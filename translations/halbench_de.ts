@@ -9202,6 +9202,14 @@
         <source>The axis has a force that the model lacks, or position and effort are shifted in time.</source>
         <translation>Auf die Achse wirkt eine Kraft, die dem Modell fehlt, oder Position und Stellgröße sind zeitlich verschoben.</translation>
     </message>
+    <message>
+        <source>a path does not alternate its direction</source>
+        <translation>eine Bahn wechselt ihre Richtung nicht</translation>
+    </message>
+    <message>
+        <source>repeat it as it is: it ends where its last line ends</source>
+        <translation>wiederholen Sie sie, wie sie ist: sie endet, wo ihre letzte Zeile endet</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

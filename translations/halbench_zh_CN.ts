@@ -9202,6 +9202,14 @@
         <source>The axis has a force that the model lacks, or position and effort are shifted in time.</source>
         <translation>该轴受到模型中没有的力，或位置与控制量在时间上错位。</translation>
     </message>
+    <message>
+        <source>a path does not alternate its direction</source>
+        <translation>路径不交替方向</translation>
+    </message>
+    <message>
+        <source>repeat it as it is: it ends where its last line ends</source>
+        <translation>请按原样重复：它在最后一行的终点结束</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

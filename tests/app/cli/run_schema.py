@@ -31,13 +31,17 @@ def analysed_parts():
     return [amplifier, table({"what": {"enum": ["torque", "sensing", "poles", "field", "coil"]}, "figures": figures})]
 
 
-def repetition():
-    """Of a move with `repeat`, in degrees."""
-    runs = {"type": "array", "items": table({key: NUMBER_OR_NULL for key in ("start_deg", "max_error_deg", "peak_to_peak_deg")})}
-    body = {"count": {"type": "integer", "minimum": 1}}
-    body |= {key: NUMBER_OR_NULL for key in ("settled_deg", "settled_fraction", "least_peak_to_peak_deg", "median_peak_to_peak_deg",
-                                             "largest_peak_to_peak_deg")}
-    return table(body | {"runs": runs}) | {"description": "of a move with repeat; the figures beside it are those of the last run"}
+def repetition(unit):
+    """Of a move with `repeat`, positions in that unit."""
+    run = {key + unit: NUMBER_OR_NULL for key in ("start_", "max_error_", "peak_to_peak_")} | {"settling_time_s": NUMBER_OR_NULL}
+    times = table({"count": {"type": "integer", "minimum": 1}} | {
+        key: NUMBER for key in ("least_s", "median_s", "mean_s", "deviation_s", "largest_s")})
+    times |= {"type": ["object", "null"], "description": "of the runs that came to rest within the limit"}
+    body = {"count": {"type": "integer", "minimum": 1}, "settled_" + unit: NUMBER_OR_NULL, "alternate": {"type": "boolean"},
+            "settled_fraction": NUMBER_OR_NULL, "settling_time": times}
+    body |= {key + unit: NUMBER_OR_NULL for key in ("least_peak_to_peak_", "median_peak_to_peak_", "largest_peak_to_peak_")}
+    body["runs"] = {"type": "array", "items": table(run)}
+    return table(body) | {"description": "of a move with repeat; the figures beside it are those of the last run"}
 
 
 class Composer:
@@ -72,8 +76,9 @@ class Composer:
     def moves(self):
         move = self.schema("move")["properties"]
         one = copy.deepcopy(move["figures"])
-        one["properties"]["repetition"] = repetition()
-        several = table({"axes": move["axes"], "contour": move["contour"]}, optional=("contour",))
+        one["properties"]["repetition"] = repetition("deg")
+        of_unit = {"oneOf": [repetition(unit) for unit in ("m", "rad")]}
+        several = table({"axes": move["axes"], "contour": move["contour"], "repetition": of_unit}, optional=("contour", "repetition"))
         return [self.step("move", one), self.step("move", several)]
 
     def steps(self):
