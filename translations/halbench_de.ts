@@ -9210,6 +9210,14 @@
         <source>repeat it as it is: it ends where its last line ends</source>
         <translation>wiederholen Sie sie, wie sie ist: sie endet, wo ihre letzte Zeile endet</translation>
     </message>
+    <message>
+        <source>the platen left its window: {} {} from where it began in {}, the window is {} {}</source>
+        <translation>die Platte hat ihr Fenster verlassen: {} {} vom Anfang entfernt in {}, das Fenster ist {} {}</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the platen to the middle, and start again.</source>
+        <translation>Nichts wurde geändert. Nehmen Sie der Platte die Last von Kabel oder Neigung, heben Sie den Stopp auf, bewegen Sie die Platte zur Mitte und beginnen Sie neu.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
