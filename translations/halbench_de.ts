@@ -9202,6 +9202,22 @@
         <source>The axis has a force that the model lacks, or position and effort are shifted in time.</source>
         <translation>Auf die Achse wirkt eine Kraft, die dem Modell fehlt, oder Position und Stellgröße sind zeitlich verschoben.</translation>
     </message>
+    <message>
+        <source>a path does not alternate its direction</source>
+        <translation>eine Bahn wechselt ihre Richtung nicht</translation>
+    </message>
+    <message>
+        <source>repeat it as it is: it ends where its last line ends</source>
+        <translation>wiederholen Sie sie, wie sie ist: sie endet, wo ihre letzte Zeile endet</translation>
+    </message>
+    <message>
+        <source>the platen left its window: {} {} from where it began in {}, the window is {} {}</source>
+        <translation>die Platte hat ihr Fenster verlassen: {} {} vom Anfang entfernt in {}, das Fenster ist {} {}</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the platen to the middle, and start again.</source>
+        <translation>Nichts wurde geändert. Nehmen Sie der Platte die Last von Kabel oder Neigung, heben Sie den Stopp auf, bewegen Sie die Platte zur Mitte und beginnen Sie neu.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -9202,6 +9202,22 @@
         <source>The axis has a force that the model lacks, or position and effort are shifted in time.</source>
         <translation>该轴受到模型中没有的力，或位置与控制量在时间上错位。</translation>
     </message>
+    <message>
+        <source>a path does not alternate its direction</source>
+        <translation>路径不交替方向</translation>
+    </message>
+    <message>
+        <source>repeat it as it is: it ends where its last line ends</source>
+        <translation>请按原样重复：它在最后一行的终点结束</translation>
+    </message>
+    <message>
+        <source>the platen left its window: {} {} from where it began in {}, the window is {} {}</source>
+        <translation>动子离开了其窗口：距起点 {} {}（{} 方向），窗口为 {} {}</translation>
+    </message>
+    <message>
+        <source>Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the platen to the middle, and start again.</source>
+        <translation>未作任何更改。请消除电缆或倾斜对动子的作用力，解除停止，将动子移到中央，然后重新开始。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

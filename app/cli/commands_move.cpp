@@ -42,7 +42,7 @@ std::string moveText(const MoveResult& result) {
     for (const JsonMember& figure : body.members()) {
         if (figure.key.starts_with(Measured)) {
             measured.set(figure.key.substr(Measured.size()), figure.value);
-        } else if (first.find(figure.key) == nullptr) {
+        } else if (first.find(figure.key) == nullptr && !figure.value.isNull()) {
             rest.set(figure.key, figure.value);
         }
     }

@@ -42,7 +42,7 @@ IdentifyResult resultOf(const JsonValue& root) {
     result.points = pointsOf(root);
     result.quality = qualityOf(member(&root, "data_quality"));
     result.duration_s = numberIn(&root, "duration_s").value_or(0.0);
-    result.highestTemperature_degC = numberIn(&root, "highest_temperature_degC").value_or(0.0);
+    result.highestTemperature_degC = numberIn(&root, "highest_temperature_degC");
     const JsonValue* notes = member(&root, "notes");
     if (notes != nullptr && notes->isObject()) {
         for (const JsonMember& note : notes->members()) {

@@ -33,9 +33,20 @@ double inUnit(double position, const std::string& unit) {
 
 JsonValue runOf(const MoveRepetition& repetition, std::size_t run, const std::string& unit) {
     JsonValue entry = JsonValue::object();
-    entry.set("start_" + unit, finiteOrNull(inUnit(repetition.start_rad[run], unit)));
-    entry.set("max_error_" + unit, finiteOrNull(inUnit(repetition.maxError_rad[run], unit)));
-    return entry.set("peak_to_peak_" + unit, finiteOrNull(inUnit(repetition.peakToPeak_rad[run], unit)));
+    entry.set("start_" + unit, finiteOrNull(inUnit(repetition.start[run], unit)));
+    entry.set("max_error_" + unit, finiteOrNull(inUnit(repetition.maxError[run], unit)));
+    entry.set("peak_to_peak_" + unit, finiteOrNull(inUnit(repetition.peakToPeak[run], unit)));
+    return entry.set("settling_time_s", finiteOrNull(repetition.windowTime_s[run]));
+}
+
+JsonValue settlingBody(const std::optional<SettlingTimes>& times) {
+    if (!times) {
+        return {};
+    }
+    JsonValue body = JsonValue::object();
+    body.set("count", times->count).set("least_s", times->least_s).set("median_s", times->median_s);
+    body.set("mean_s", times->mean_s).set("deviation_s", times->deviation_s);
+    return body.set("largest_s", times->largest_s);
 }
 
 JsonValue agreementOf(const VerificationBand& band, bool isWithin) {
@@ -200,20 +211,21 @@ JsonValue movedAxes(const MoveResult& result, const std::optional<MoveFigures>& 
 }
 
 JsonValue repetitionBody(const MoveRepetition& repetition, const std::string& unit) {
-    const std::vector<double>& swings_rad = repetition.peakToPeak_rad;
-    const auto [least, most] = std::minmax_element(swings_rad.begin(), swings_rad.end());
+    const std::vector<double>& swings = repetition.peakToPeak;
+    const auto [least, most] = std::minmax_element(swings.begin(), swings.end());
     JsonValue runs = JsonValue::array();
-    for (std::size_t run = 0; run < swings_rad.size(); ++run) {
+    for (std::size_t run = 0; run < swings.size(); ++run) {
         runs.push(runOf(repetition, run, unit));
     }
     JsonValue body = JsonValue::object();
     body.set("count", repetition.config.count);
-    if (unit == "deg") {
-        body.set("settled_deg", degreesOrNull(repetition.config.settled_rad));
-    }
+    const std::optional<double>& window = repetition.config.settled;
+    body.set("settled_" + unit, unit == "deg" ? degreesOrNull(window) : finiteOrNull(window));
+    body.set("alternate", repetition.config.alternates);
     body.set("settled_fraction", finiteOrNull(repetition.settled_ratio()));
+    body.set("settling_time", settlingBody(repetition.settlingTimes()));
     body.set("least_peak_to_peak_" + unit, finiteOrNull(inUnit(*least, unit)));
-    body.set("median_peak_to_peak_" + unit, finiteOrNull(inUnit(median(swings_rad), unit)));
+    body.set("median_peak_to_peak_" + unit, finiteOrNull(inUnit(median(swings), unit)));
     body.set("largest_peak_to_peak_" + unit, finiteOrNull(inUnit(*most, unit)));
     return body.set("runs", runs);
 }

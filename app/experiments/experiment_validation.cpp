@@ -218,19 +218,41 @@ Result<void> checkRecording(const ConfigNode& step) {
     return {};
 }
 
+/// Of the keys that begin with `stem`: the names that a table holds.
+std::vector<std::string> keysWith(const ConfigNode& table, std::string_view stem) {
+    std::vector<std::string> keys;
+    for (const ConfigNode::Member& member : table.members) {
+        if (member.first.starts_with(stem)) {
+            keys.push_back(member.first);
+        }
+    }
+    return keys;
+}
+
 /// An amplitude, a rate and a base are each written in one unit.
 Result<void> checkReferenceUnits(const ConfigNode* reference) {
     for (const std::string_view stem : {"amplitude_", "rate_", "base_"}) {
-        std::vector<std::string> keys;
-        for (std::size_t i = 0; reference != nullptr && i < reference->members.size(); ++i) {
-            if (reference->members[i].first.starts_with(stem)) {
-                keys.push_back(reference->members[i].first);
-            }
-        }
+        const auto keys = reference != nullptr ? keysWith(*reference, stem) : std::vector<std::string>();
         if (keys.size() > 1) {
             return complaint(*reference, fmt::format("'{}' and '{}' exclude each other", keys[0], keys[1]),
                              "give one");
         }
+    }
+    return {};
+}
+
+/// A limit is written in one unit, and it and the direction are those of repeated runs.
+Result<void> checkRepetition(const ConfigNode& step) {
+    std::vector<std::string> keys = keysWith(step, "settled_");
+    if (keys.size() > 1) {
+        return complaint(step, fmt::format("'{}' and '{}' exclude each other", keys[0], keys[1]), "give one");
+    }
+    if (step.find("alternate") != nullptr) {
+        keys.emplace_back("alternate");
+    }
+    if (!keys.empty() && step.find("repeat") == nullptr) {
+        return complaint(*step.find(keys[0]), fmt::format("'{}' needs 'repeat'", keys[0]),
+                         "say how many times");
     }
     return {};
 }
@@ -258,8 +280,8 @@ Result<void> checkCombination(const ConfigNode& step) {
         return complaint(step, "what = \"loop\" needs 'model' and 'gains'",
                          "name an identify and a tune step");
     }
-    if (has(&step, "settled_deg") && !has(&step, "repeat")) {
-        return complaint(*step.find("settled_deg"), "'settled_deg' needs 'repeat'", "say how many times");
+    if (const Result<void> repeated = checkRepetition(step); !repeated) {
+        return repeated;
     }
     if (kind == "record") {
         if (const Result<void> recorded = checkRecording(step); !recorded) {

@@ -255,7 +255,48 @@ Result<void> checkAxisOf(const devices::Catalogue& catalogue, const ExperimentSt
         return axes ? Result<void>() : failure(axes.error());
     }
     const Result<devices::AxisSpec> axis = chosenAxis(catalogue, config->axis);
-    return axis ? checkQuantity(config->reference, *axis) : failure(axis.error());
+    const Result<void> suits = axis ? checkQuantity(config->reference, *axis) : failure(axis.error());
+    const auto repeat = suits ? repeatConfigOf(catalogue, step) : failure(suits.error());
+    return repeat ? Result<void>() : failure(repeat.error());
+}
+
+Result<RepeatConfig> repeatConfigOf(const devices::Catalogue& catalogue, const ExperimentStep& step) {
+    struct Limit {
+        const char* key;
+        const char* unit; ///< of the axis
+        double perUnit;
+    };
+    constexpr std::array Limits = {Limit{"settled_deg", "rad", degreesToRadians(1.0)},
+                                   Limit{"settled_rad", "rad", 1.0},
+                                   Limit{"settled_mrad", "rad", 1e-3},
+                                   Limit{"settled_urad", "rad", 1e-6},
+                                   Limit{"settled_m", "m", 1.0},
+                                   Limit{"settled_mm", "m", 1e-3},
+                                   Limit{"settled_um", "m", 1e-6}};
+    const Result<MoveConfig> config = moveConfigOf(step);
+    if (!config) {
+        return failure(config.error());
+    }
+    const bool isOfPath = isPath(config->reference);
+    const auto axis = chosenAxis(catalogue, isOfPath ? catalogue.axes.front().id : config->axis);
+    if (!axis) {
+        return failure(axis.error());
+    }
+    RepeatConfig repeat;
+    repeat.count = static_cast<int>(step.number("repeat").value_or(1.0));
+    repeat.alternates =
+        step.find("alternate") != nullptr ? step.isTrue("alternate") : !axis->turnsForever && !isOfPath;
+    for (const Limit& limit : Limits) {
+        const std::optional<double> value = step.number(limit.key);
+        if (value && axis->positionUnit != limit.unit) {
+            return at(*step.find(limit.key), {ErrorCode::InvalidInput,
+                                              fmt::format("'{}' is no unit of axis {}, which is in {}",
+                                                          limit.key, axis->id, axis->positionUnit),
+                                              "give the limit in a unit of the axis"});
+        }
+        repeat.settled = value ? std::optional(*value * limit.perUnit) : repeat.settled;
+    }
+    return repeat;
 }
 
 bool isWaitingStep(const ExperimentStep& step) {

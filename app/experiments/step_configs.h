@@ -16,8 +16,11 @@ AxesFrequencyConfig axesFrequencyConfigOf(const ExperimentStep& step);
 RelayConfig relayConfigOf(const ExperimentStep& step);
 Result<CalibrateConfig> calibrateConfigOf(const ExperimentStep& step);
 Result<MoveConfig> moveConfigOf(const ExperimentStep& step);
-/// The axis of a move is one of the device's and its reference in units of that. Errors: of chosenAxis(),
-/// checkQuantity().
+/// How often a move is made, for an axis of the device. Errors: InvalidInput (a limit in a unit that the
+/// axis has not), of chosenAxis().
+Result<RepeatConfig> repeatConfigOf(const devices::Catalogue& catalogue, const ExperimentStep& step);
+/// The axis of a move is one of the device's and its reference and limits in units of that. Errors: of
+/// chosenAxis(), checkQuantity(), repeatConfigOf().
 Result<void> checkAxisOf(const devices::Catalogue& catalogue, const ExperimentStep& step);
 /// A recording that waits for a device that is lost (`reconnect`).
 bool isWaitingStep(const ExperimentStep& step);

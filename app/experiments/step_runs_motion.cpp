@@ -46,15 +46,13 @@ private:
     devices::ReturningDevice* m_device;
 };
 
-/// These keys are in degrees.
+/// This key is in degrees.
 Result<void> checkKeysOfAxis(const devices::Catalogue& catalogue, const ExperimentStep& step) {
-    for (const char* key : {"settled_deg", "lock_threshold_deg"}) {
-        if (catalogue.axes.size() > 1 && step.find(key) != nullptr) {
-            return failure(
-                ErrorCode::InvalidInput,
-                fmt::format("step \"{}\": '{}' is not for a device with several axes", step.name, key),
-                "Leave it out.");
-        }
+    if (catalogue.axes.size() > 1 && step.find("lock_threshold_deg") != nullptr) {
+        return failure(
+            ErrorCode::InvalidInput,
+            fmt::format("step \"{}\": 'lock_threshold_deg' is not for a device with several axes", step.name),
+            "Leave it out.");
     }
     return {};
 }
@@ -90,16 +88,15 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     if (const Result<void> fits = checkKeysOfAxis(run.device.catalogue(), step); !fits) {
         return failure(fits.error());
     }
-    RepeatConfig repeat;
-    repeat.count = static_cast<int>(step.number("repeat").value_or(1.0));
-    if (const std::optional<double> settled_deg = step.number("settled_deg")) {
-        repeat.settled_rad = degreesToRadians(*settled_deg);
+    const Result<RepeatConfig> repeat = repeatConfigOf(run.device.catalogue(), step);
+    if (!repeat) {
+        return failure(repeat.error());
     }
     const auto predicted = predictedOf(run, *config);
     if (!predicted) {
         return failure(predicted.error());
     }
-    Result<RepeatedMove> result = runRepeatedMove(run.device, *config, repeat, observerFor(run.context));
+    Result<RepeatedMove> result = runRepeatedMove(run.device, *config, *repeat, observerFor(run.context));
     if (!result) {
         return failure(result.error());
     }
@@ -118,9 +115,7 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     MoveOutcome detail{*std::move(config), *law, std::move(result->last), std::nullopt};
     if (step.find("repeat") != nullptr) {
         outcome.body.set("repetition", repetitionBody(result->repetition, unit));
-        if (!isOneOfSeveral) { // the report lists runs in degrees
-            detail.repetition = std::move(result->repetition);
-        }
+        detail.repetition = std::move(result->repetition);
     }
     outcome.detail = std::move(detail);
     return outcome;

@@ -67,12 +67,12 @@ std::string useCaption(const FrequencyResult& result) {
 }
 
 ReportFacts factsOf(const FrequencyResult& result) {
-    return {{{"duration", fmt::format("{:.1f} s", result.duration_s), ReportTone::Plain},
-             {"minimum speed during excitation", fmt::format("{:.2f} rad/s", result.lowestSpeed_rad_s),
-              ReportTone::Plain},
-             {"highest current", fmt::format("{:.2f} A", result.highestCurrent_A), ReportTone::Plain},
-             {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC),
-              ReportTone::Plain}}};
+    ReportFacts facts;
+    facts.addMeasured("duration", result.duration_s, 1, "s");
+    facts.addMeasured("minimum speed during excitation", result.lowestSpeed_rad_s, 2, "rad/s");
+    facts.addMeasured("highest current", result.highestCurrent_A, 2, "A");
+    facts.addMeasured("highest coil temperature", result.highestTemperature_degC, 1, "\u00b0C");
+    return facts;
 }
 
 } // namespace

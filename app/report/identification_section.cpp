@@ -78,6 +78,13 @@ void appendExcitation(ReportSection& section, const Recording& recording) {
     }
 }
 
+ReportFacts excitationFacts(double duration_s, const std::optional<double>& highest_degC) {
+    ReportFacts facts;
+    facts.addMeasured("duration of the excitation", duration_s, 1, "s");
+    facts.addMeasured("highest coil temperature", highest_degC, 1, "\u00b0C");
+    return facts;
+}
+
 } // namespace
 
 ReportSection identificationSection(const std::string& heading, const IdentifyResult& result) {
@@ -103,9 +110,7 @@ ReportSection identificationSection(const std::string& heading, const IdentifyRe
             ReportPlot{std::move(region->figure), correlationWords(region->correlation)});
     }
     appendExcitation(section, result.recording);
-    section.blocks.emplace_back(ReportFacts{
-        {{"duration of the excitation", fmt::format("{:.1f} s", result.duration_s)},
-         {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}});
+    section.blocks.emplace_back(excitationFacts(result.duration_s, result.highestTemperature_degC));
     return section;
 }
 
@@ -127,9 +132,7 @@ ReportSection axesIdentificationSection(const std::string& heading, const AxesId
     };
     addAll("Constants", result.constants);
     addAll("Ratios that need no given constant", result.ratios);
-    section.blocks.emplace_back(ReportFacts{
-        {{"duration of the excitation", fmt::format("{:.1f} s", result.duration_s)},
-         {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}});
+    section.blocks.emplace_back(excitationFacts(result.duration_s, result.highestTemperature_degC));
     return section;
 }
 

@@ -144,21 +144,34 @@ ReportTable figuresTable(const std::vector<std::pair<std::string, const MoveFigu
 }
 
 /// One row a run: where it began and how it ended.
-void appendRepetition(ReportSection& section, const MoveRepetition& repetition) {
+void appendRepetition(ReportSection& section, const MoveRepetition& repetition, const PositionScale& scale) {
     ReportTable table;
-    table.caption = "Runs, each from where the rotor came to rest";
-    table.columns = {{"start \u00b0", true}, {"largest error \u00b0", true}, {"peak to peak \u00b0", true}};
-    for (std::size_t run = 0; run < repetition.start_rad.size(); ++run) {
-        const auto cell = [](double angle_rad, int decimals) {
-            return Cell{fmt::format("{:.{}f}", radiansToDegrees(angle_rad), decimals)};
+    table.caption = "Runs, each from where the axis came to rest";
+    for (const char* title : {"start ", "largest error ", "peak to peak "}) {
+        table.columns.push_back({title + scale.unit, true});
+    }
+    table.columns.push_back({"settled after s", true});
+    for (std::size_t run = 0; run < repetition.start.size(); ++run) {
+        const auto cell = [&scale](double position, int decimals) {
+            return Cell{fmt::format("{:.{}f}", scale.perUnit * position, decimals)};
         };
-        table.rows.push_back({cell(repetition.start_rad[run], 2), cell(repetition.maxError_rad[run], 3),
-                              cell(repetition.peakToPeak_rad[run], 3)});
+        table.rows.push_back({cell(repetition.start[run], 2), cell(repetition.maxError[run], 3),
+                              cell(repetition.peakToPeak[run], 3),
+                              numberOf(repetition.windowTime_s[run], 1.0, 3)});
     }
     if (const std::optional<double> settled_ratio = repetition.settled_ratio()) {
-        section.blocks.emplace_back(ReportParagraph{fmt::format(
-            "{:.0f} % of {} runs settled within {:.3g}\u00b0 where errors count.", 100.0 * *settled_ratio,
-            repetition.start_rad.size(), radiansToDegrees(*repetition.config.settled_rad))});
+        section.blocks.emplace_back(ReportParagraph{
+            fmt::format("{:.0f} % of {} runs settled within {:.3g}{}{} {}.", 100.0 * *settled_ratio,
+                        repetition.start.size(), scale.perUnit * *repetition.config.settled,
+                        scale.unit == "\u00b0" ? "" : " ", scale.unit,
+                        repetition.settlesAfterWay ? "after the way" : "where errors count")});
+    }
+    if (const auto times = repetition.settlingTimes()) {
+        section.blocks.emplace_back(ReportParagraph{
+            fmt::format("Settling time, {} of {} runs: {:.3f} to {:.3f} s, median {:.3f} s, mean {:.3f} s "
+                        "with a standard deviation of {:.3f} s.",
+                        times->count, repetition.start.size(), times->least_s, times->largest_s,
+                        times->median_s, times->mean_s, times->deviation_s)});
     }
     section.blocks.emplace_back(std::move(table));
 }
@@ -179,9 +192,9 @@ void appendMove(ReportSection& section, const MoveResult& result,
     if (!figure.panels.empty()) {
         section.blocks.emplace_back(ReportPlot{std::move(figure), {}});
     }
-    ReportFacts facts{
-        {{"peak current", fmt::format("{:.3f} A", result.peakCurrent_A)},
-         {"highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC)}}};
+    ReportFacts facts;
+    facts.addMeasured("peak current", result.peakCurrent_A, 3, "A");
+    facts.addMeasured("highest coil temperature", result.highestTemperature_degC, 1, "\u00b0C");
     for (const CrossAxisPeak& other : result.others) {
         const PositionScale scale = scaleOf(other.axis);
         facts.facts.push_back(
@@ -194,7 +207,9 @@ void appendMove(ReportSection& section, const MoveResult& result,
             {"locked means", fmt::format("error below {:.3g}{} to the end",
                                          scale.perUnit * *result.lockThreshold, scale.unit)});
     }
-    section.blocks.emplace_back(std::move(facts));
+    if (!facts.facts.empty()) {
+        section.blocks.emplace_back(std::move(facts));
+    }
 }
 
 /// Only what differs is worth a row.
@@ -227,7 +242,7 @@ ReportSection moveSection(const std::string& heading, const MoveResult& result,
     ReportSection section{heading, {}};
     section.blocks.emplace_back(ReportQuality{result.quality});
     if (repetition) {
-        appendRepetition(section, *repetition);
+        appendRepetition(section, *repetition, scaleOf(result.axis));
     }
     appendMove(section, result, predicted, std::nullopt);
     return section;

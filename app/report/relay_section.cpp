@@ -35,15 +35,16 @@ ReportFacts factsOf(const RelayResult& result) {
     const auto fact = [](const char* name, std::string value) {
         return ReportFacts::Fact{name, std::move(value), ReportTone::Plain};
     };
-    return {
+    ReportFacts facts{
         {fact("ultimate gain of the model", modelWords(result)),
          fact("cycles", fmt::format("{} of {:.3g}\u00b0 and {:.3g} A at {:.4g} rad/s", result.cycle.cycles,
                                     radiansToDegrees(result.cycle.amplitude), result.cycle.input,
                                     result.cycle.frequency_rad_s)),
          fact("speed",
               fmt::format("{:.2f} to {:.2f} rad/s", result.lowestSpeed_rad_s, result.highestSpeed_rad_s)),
-         fact("duration", fmt::format("{:.1f} s", result.duration_s)),
-         fact("highest coil temperature", fmt::format("{:.1f} \u00b0C", result.highestTemperature_degC))}};
+         fact("duration", fmt::format("{:.1f} s", result.duration_s))}};
+    facts.addMeasured("highest coil temperature", result.highestTemperature_degC, 1, "\u00b0C");
+    return facts;
 }
 
 } // namespace

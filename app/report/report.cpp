@@ -244,4 +244,11 @@ Result<std::string> renderReport(const ReportContent& content) {
     return writer.finish();
 }
 
+void ReportFacts::addMeasured(std::string label, const std::optional<double>& value, int decimals,
+                              const char* unit) {
+    if (value) {
+        facts.push_back({std::move(label), fmt::format("{:.{}f} {}", *value, decimals, unit)});
+    }
+}
+
 } // namespace halbench::app

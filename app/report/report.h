@@ -30,6 +30,9 @@ struct ReportFacts {
         ReportTone tone = ReportTone::Plain;
     };
     std::vector<Fact> facts;
+
+    /// Adds nothing when the figure was not measured.
+    void addMeasured(std::string label, const std::optional<double>& value, int decimals, const char* unit);
 };
 
 struct ReportTable {

@@ -83,6 +83,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Check the link."),
     QT_TRANSLATE_NOOP("Phrases", "the device lacks a signal of the platen"),
     QT_TRANSLATE_NOOP("Phrases", "Its catalogue needs position, current.coil1 to 6 and hall.x1 to y3."),
+    QT_TRANSLATE_NOOP("Phrases", "the platen left its window: {} {} from where it began in {}, the window is {} {}"),
+    QT_TRANSLATE_NOOP("Phrases", "Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the platen to the middle, and start again."),
     QT_TRANSLATE_NOOP("Phrases", "{}alpha {}, beta {}, gamma {} deg"),
     QT_TRANSLATE_NOOP("Phrases", "a device that only senses has no static friction to calibrate"),
     QT_TRANSLATE_NOOP("Phrases", "choose hall, stray or all"),

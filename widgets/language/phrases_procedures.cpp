@@ -429,6 +429,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the device did not start its reference"),
     QT_TRANSLATE_NOOP("Phrases", "Try again."),
     QT_TRANSLATE_NOOP("Phrases", "the board followed another path than commanded, {} {} away"),
+    QT_TRANSLATE_NOOP("Phrases", "a path does not alternate its direction"),
+    QT_TRANSLATE_NOOP("Phrases", "repeat it as it is: it ends where its last line ends"),
     QT_TRANSLATE_NOOP("Phrases", "a recorded move of {} s cannot be replayed"),
     QT_TRANSLATE_NOOP("Phrases", "record {} to {} s of a move"),
     QT_TRANSLATE_NOOP("Phrases", "rows missing at {} s: no prediction possible"),

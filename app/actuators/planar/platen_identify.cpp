@@ -88,7 +88,6 @@ Result<AxesIdentifyResult> measure(devices::Device& device, const IdentifyConfig
     }
     nameRowLoss(result.quality, motion->loss);
     result.duration_s = motion->duration_s;
-    result.highestTemperature_degC = motion->highestTemperature_degC;
     result.recording = std::move(motion->recording);
     return result;
 }

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
 
 namespace halbench::app {
 namespace {
@@ -58,16 +61,6 @@ std::vector<devices::GuardLimit> guardLimits(const devices::Catalogue& catalogue
     return limits;
 }
 
-double highestOf(const Recording& recording) {
-    double highest_degC = -273.0;
-    for (const std::string& name : coilNames("coil_temperature.coil")) {
-        for (const double value : recording.column(name)) {
-            highest_degC = std::max(highest_degC, value);
-        }
-    }
-    return highest_degC;
-}
-
 // The chips of a row see what flowed until then: the currents of the row before.
 Result<PlatenMotion> motionFrom(Recording recording) {
     PlatenMotion motion;
@@ -105,7 +98,6 @@ Result<PlatenMotion> motionFrom(Recording recording) {
         motion.samples[n].current_A = motion.current_A[n > 0 ? n - 1 : 0];
         motion.samples[n].pose = {pose[0][n], pose[1][n], pose[2][n]};
     }
-    motion.highestTemperature_degC = highestOf(recording);
     motion.recording = std::move(recording);
     return motion;
 }
@@ -194,18 +186,74 @@ Result<void> pulse(devices::Device& device, const ProcedureObserver& observer, i
     return waitObserved(device, observer, Braking_s);
 }
 
+/// Position of the platen, and the window of each axis.
+struct PlatenPlace {
+    std::array<double, 3> position{}, window{};
+};
+
+Result<PlatenPlace> placeOf(devices::Device& device) {
+    std::vector<std::string> positions, windows;
+    for (const char* axis : AxisNames) {
+        positions.push_back(fmt::format("position.{}", axis));
+        windows.push_back(fmt::format("window.{}", axis));
+    }
+    const auto position = device.readSignals(positions);
+    const auto window = position ? device.readParameters(windows) : failure(position.error());
+    if (!window) {
+        return failure(window.error());
+    }
+    PlatenPlace place;
+    std::copy_n(position->begin(), AxisNames.size(), place.position.begin());
+    std::copy_n(window->begin(), AxisNames.size(), place.window.begin());
+    return place;
+}
+
+/// A platen without current glides wherever the cable or a tilt pulls it. A safety stop away from where the
+/// motion began says where that was.
+Error withDrift(Error error, devices::Device& device, const PlatenPlace& start) {
+    constexpr double Far_ratio =
+        0.5; // of its window; the legs themselves stay within the room of the windows
+    const auto now = error.code == ErrorCode::SafetyStop ? placeOf(device) : failure(error);
+    if (!now) {
+        return error;
+    }
+    std::size_t farthest = 0;
+    std::array<double, 3> away{};
+    for (std::size_t i = 0; i < away.size(); ++i) {
+        away[i] = std::fabs(now->position[i] - start.position[i]);
+        farthest = away[i] / start.window[i] > away[farthest] / start.window[farthest] ? i : farthest;
+    }
+    if (away[farthest] < Far_ratio * start.window[farthest]) {
+        return error;
+    }
+    const bool turns = std::string_view(AxisNames[farthest]) == "phi";
+    error.message =
+        fmt::format("the platen left its window: {:.1f} {} from where it began in {}, the window is "
+                    "{:.1f} {}",
+                    1e3 * away[farthest], turns ? "mrad" : "mm", AxisNames[farthest],
+                    1e3 * start.window[farthest], turns ? "mrad" : "mm");
+    error.hint =
+        "Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the "
+        "platen to the middle, and start again.";
+    return error;
+}
+
 template <typename Body>
 Result<PlatenMotion> recorded(devices::Device& device, const PlatenBoard& board,
                               const ProcedureObserver& observer, Body body) {
     const devices::LinkStatistics before = device.statistics();
     const double start_s = device.clock().now_s();
+    const auto start = placeOf(device);
+    if (!start) {
+        return failure(start.error());
+    }
     StreamRecorder recorder(device, observer);
     recorder.guardBy(guardLimits(device.catalogue(), board));
     if (auto started = recorder.start(wantedSignals(), Rate_Hz); !started) {
         return failure(started.error());
     }
     if (const Result<void> done = body(); !done) {
-        return failure(recorder.causeOf(done.error()));
+        return failure(withDrift(recorder.causeOf(done.error()), device, *start));
     }
     auto recording = recorder.finish();
     if (!recording) {

@@ -14,7 +14,6 @@ struct PlatenMotion {
     std::vector<models::CoilCurrents_A> current_A; ///< that flow from the row on
     RowLossCause loss;
     double duration_s = 0.0;
-    double highestTemperature_degC = 0.0;
     bool wasHomed = true; ///< before it began
 };
 

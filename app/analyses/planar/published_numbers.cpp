@@ -3,6 +3,7 @@
 #include "models/planar/published_wrench.h"
 #include "models/planar/windings_wrench.h"
 
+#include <Eigen/Core>
 #include <cmath>
 
 namespace halbench::app {
@@ -37,6 +38,81 @@ void addForces(const models::PlanarGeometry& geometry, Numbers& numbers) {
     numbers.push_back({"windings_ninth_percent", percent(models::windingsForceConstant_N_per_A, 9)});
     // Two phases in quadrature, each with the largest current, where both push evenly.
     numbers.push_back({"largest_set_force_N", std::sqrt(2.0) * std::fabs(published) * Current_A, "4.4"});
+}
+
+/// What the printed subscripts would make of the forces: harmonics with the amplitude of the fundamental, a
+/// commutation that takes the pose for the base coordinate of coil 1.
+void addSubscripts(const models::PlanarGeometry& geometry, Numbers& numbers) {
+    constexpr int Fifth = 5;
+    constexpr double Surface_m = 0.0;
+    const double amplitude = models::harmonicAmplitude_T(geometry.matrix, 1, Surface_m) /
+                             models::harmonicAmplitude_T(geometry.matrix, Fifth, Surface_m);
+    const double fifth = models::publishedForceConstant_N_per_A(geometry, Fifth) /
+                         models::publishedForceConstant_N_per_A(geometry, 1);
+    const double base_rad = models::waveNumber_per_m(geometry.matrix) * geometry.coils().front().centre_m.y();
+    numbers.push_back({"fifth_of_one_amplitude_percent", 100.0 * std::fabs(amplitude * fifth), "0.950"});
+    numbers.push_back({"force_without_base_percent", 100.0 * std::cos(base_rad)});
+}
+
+/// The inner corner of a coil's window, in platen axes: the base point of its phase.
+Eigen::Vector2d basePoint_m(const models::PlanarGeometry& geometry, const models::PlanarCoil& coil) {
+    const double pitch_m = geometry.matrix.pitch_m;
+    const double along_m = -0.5 * (pitch_m - geometry.winding.width_m);
+    const double across_m = -0.5 * (0.5 * pitch_m - geometry.winding.width_m);
+    const Eigen::Vector2d corner_m =
+        coil.isAcross ? Eigen::Vector2d(-across_m, along_m) : Eigen::Vector2d(along_m, across_m);
+    return coil.centre_m + corner_m;
+}
+
+/// The printed distances between the coils, from base point to base point.
+void addBasePoints(const models::PlanarGeometry& geometry, Numbers& numbers) {
+    const auto coils = geometry.coils();
+    const double pitch_m = geometry.matrix.pitch_m;
+    const auto base_m = [&](std::size_t coil) { return basePoint_m(geometry, coils[coil - 1]); };
+    numbers.push_back({"base_points_6_1_pitches", (base_m(6).x() - base_m(1).x()) / pitch_m, "3/4"});
+    numbers.push_back({"base_points_5_6_pitches", (base_m(5).x() - base_m(6).x()) / pitch_m, "5/4"});
+    numbers.push_back({"base_points_1_2_pitches", (base_m(1).y() - base_m(2).y()) / pitch_m, "3/4"});
+    numbers.push_back(
+        {"centres_6_1_pitches", (coils[5].centre_m.x() - coils[0].centre_m.x()) / pitch_m, "3/4"});
+}
+
+/// Force and torque of one coil by the field at its middle and by the arm from there, N/A and N m/A.
+Eigen::Vector2d coilAtItsPlace(const models::PlanarGeometry& geometry, const models::PlanarCoil& coil,
+                               const models::PlanarPose& pose) {
+    const double at_m = coil.isAcross ? pose.x_m + coil.centre_m.x() : pose.y_m + coil.centre_m.y();
+    const double arm_m = coil.isAcross ? -coil.centre_m.y() : coil.centre_m.x();
+    const double force_N_per_A = coil.sense * models::publishedForceConstant_N_per_A(geometry) *
+                                 std::sin(models::waveNumber_per_m(geometry.matrix) * at_m);
+    return {force_N_per_A, arm_m * force_N_per_A};
+}
+
+/// The printed phases and torque signs against the places of the coils: largest difference over a cell.
+void addChain(const models::PlanarGeometry& geometry, Numbers& numbers) {
+    constexpr int Points = 16;
+    const auto coils = geometry.coils();
+    const models::PublishedWrench published(geometry);
+    const double step_m = geometry.matrix.pitch_m / Points;
+    Eigen::Vector2d largest = Eigen::Vector2d::Zero();
+    for (int i = 0; i < Points * Points; ++i) {
+        const models::PlanarPose pose{step_m * (i % Points), step_m * (i / Points), 0.0};
+        const auto printed = published.at(pose).wrench;
+        for (int k = 0; k < models::CoilCount; ++k) {
+            const models::PlanarCoil& coil = coils[static_cast<std::size_t>(k)];
+            const Eigen::Vector2d given(printed(coil.isAcross ? 0 : 1, k), printed(2, k));
+            largest = largest.cwiseMax((given - coilAtItsPlace(geometry, coil, pose)).cwiseAbs());
+        }
+    }
+    numbers.push_back({"phase_chain_N_per_A", largest.x()});
+    numbers.push_back({"torque_signs_Nm_per_A", largest.y()});
+}
+
+/// Of the printed bound of the eddy currents' field at the chips.
+void addEddyField(const models::PlanarGeometry& geometry, Numbers& numbers) {
+    constexpr double Eddy_T = 0.06e-3;
+    constexpr double Chip_T = 20e-3;
+    numbers.push_back({"eddy_field_percent", 100.0 * Eddy_T / Chip_T});
+    numbers.push_back(
+        {"eddy_position_um", 1e6 * Eddy_T / (models::waveNumber_per_m(geometry.matrix) * Chip_T)});
 }
 
 /// Over the gradient of Bz: zero with the signs of the potential, and with the printed sign of the in-plane
@@ -95,11 +171,15 @@ void addInertia(const models::PlanarGeometry& geometry, Numbers& numbers) {
 std::vector<PublishedNumber> publishedNumbers(const models::PlanarGeometry& geometry) {
     Numbers numbers;
     addForces(geometry, numbers);
+    addSubscripts(geometry, numbers);
+    addBasePoints(geometry, numbers);
+    addChain(geometry, numbers);
     addField(geometry, numbers);
     addBearings(geometry, numbers);
     addPower(numbers);
     addSpeeds(numbers);
     addInertia(geometry, numbers);
+    addEddyField(geometry, numbers);
     return numbers;
 }
 

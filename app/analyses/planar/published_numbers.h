@@ -15,8 +15,9 @@ struct PublishedNumber {
 };
 
 /// The numbers of resources/help/planar-theory.md sections 4, 5 and 10, recomputed: force constants and their
-/// harmonics, peak field, divergence with the printed sign, set force, bearing deflection and tilts, power,
-/// speeds at the end of the ramps, inertias.
+/// harmonics, what the printed subscripts would give, base points, phases and torque signs, peak field,
+/// divergence with the printed sign, set force, bearing deflection and tilts, power, speeds at the end of the
+/// ramps, inertias, share of the eddy currents' field.
 std::vector<PublishedNumber> publishedNumbers(const models::PlanarGeometry& geometry);
 
 } // namespace halbench::app

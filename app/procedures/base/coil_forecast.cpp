@@ -38,15 +38,20 @@ Result<CoilTemperatures> waitUntilCool(devices::Device& device, const ProcedureO
     }
 }
 
-} // namespace
-
-Result<CoilTemperatures> readCoilTemperatures(devices::Device& device) {
+std::vector<std::string> coilSignals(const devices::Catalogue& catalogue) {
     std::vector<std::string> names;
-    for (const SignalSpec& signal : device.catalogue().signals) {
+    for (const SignalSpec& signal : catalogue.signals) {
         if (signal.role.starts_with("coil_temperature.")) {
             names.push_back(signal.name);
         }
     }
+    return names;
+}
+
+} // namespace
+
+Result<CoilTemperatures> readCoilTemperatures(devices::Device& device) {
+    const std::vector<std::string> names = coilSignals(device.catalogue());
     if (names.empty()) {
         return CoilTemperatures{};
     }
@@ -60,6 +65,23 @@ Result<CoilTemperatures> readCoilTemperatures(devices::Device& device) {
     }
     const auto [lowest, highest] = std::minmax_element(values->begin(), values->end());
     return CoilTemperatures{*highest, *lowest};
+}
+
+std::optional<double> highestCoil_degC(const devices::Catalogue& catalogue, const Recording& recording) {
+    return highestCoil_degC(coilSignals(catalogue), recording);
+}
+
+std::optional<double> highestCoil_degC(std::span<const std::string> signals, const Recording& recording) {
+    std::optional<double> highest_degC;
+    if (!recording.layout) {
+        return highest_degC;
+    }
+    for (const std::string& name : signals) {
+        for (const double value_degC : recording.column(name)) {
+            highest_degC = std::max(value_degC, highest_degC.value_or(value_degC));
+        }
+    }
+    return highest_degC;
 }
 
 models::CoilHeatingConfig coilModel(const devices::Catalogue& catalogue) {

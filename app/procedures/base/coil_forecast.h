@@ -3,6 +3,8 @@
 #include "app/procedures/base/procedure.h"
 #include "models/thermal/coil_heating.h"
 
+#include <optional>
+
 namespace halbench::app {
 
 /// Temperatures of the warmest and the coldest coil as the board reports them.
@@ -13,6 +15,12 @@ struct CoilTemperatures {
 
 /// By all roles coil_temperature.*; 25 degC for a device that has none. Errors: of the device, NotFinite.
 Result<CoilTemperatures> readCoilTemperatures(devices::Device& device);
+
+/// The highest reading of all coils in a recording, by the roles coil_temperature.*; nothing where the board
+/// reports none or none was recorded.
+std::optional<double> highestCoil_degC(const devices::Catalogue& catalogue, const Recording& recording);
+/// The same of the signals with these names.
+std::optional<double> highestCoil_degC(std::span<const std::string> signals, const Recording& recording);
 
 /// The thermal model of one phase from the profile's constants C_th, R_th, R_a, alpha_copper; what is absent
 /// takes the published motor's value (resources/help/htm-theory.md section 9).

@@ -73,7 +73,7 @@ struct AxesFrequencyResult {
     bool wasSensorLeftOut = false; ///< the board went on without one of its sensors
     DataQuality quality;
     double duration_s = 0.0;
-    double highestTemperature_degC = 0.0;
+    std::optional<double> highestTemperature_degC; ///< of the coils, where the board reports it
     Recording recording;
 };
 

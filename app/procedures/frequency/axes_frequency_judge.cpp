@@ -1,6 +1,7 @@
 #include "app/procedures/frequency/axes_frequency_judge.h"
 
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/tune/loop_axis.h"
 
 #include <fmt/format.h>
@@ -160,18 +161,6 @@ double limitedShare(const devices::Catalogue& catalogue, const AxesFrequencyRun&
 bool wasSensorLeftOut(const devices::Catalogue& catalogue, const Recording& recording) {
     const std::vector<double> leftOut = recording.column(signalOf(catalogue, "sensors_left_out"));
     return std::any_of(leftOut.begin(), leftOut.end(), [](double sensors) { return sensors != 0.0; });
-}
-
-double highestCoil_degC(const devices::Catalogue& catalogue, const Recording& recording) {
-    double highest_degC = -273.15;
-    for (const SignalSpec& signal : catalogue.signals) {
-        if (signal.role.starts_with("coil_temperature.")) {
-            for (const double value : recording.column(signal.name)) {
-                highest_degC = std::max(highest_degC, value);
-            }
-        }
-    }
-    return highest_degC;
 }
 
 /// Whole sentences of each margin, so that each can be said in another language.

@@ -1,5 +1,6 @@
 #include "app/procedures/frequency/frequency_judge.h"
 
+#include "app/procedures/base/coil_forecast.h"
 #include "control/base/units.h"
 #include "control/identify/swept_estimate.h"
 
@@ -207,8 +208,8 @@ double largest(std::span<const double> values) {
 void takeFigures(FrequencyResult& result, const FrequencyRun& run) {
     const Recording& recording = run.recording;
     result.duration_s = recording.time_s.empty() ? 0.0 : recording.time_s.back() - recording.time_s.front();
-    result.highestTemperature_degC = std::max(largest(recording.column("coil_temperature.a")),
-                                              largest(recording.column("coil_temperature.b")));
+    const std::string coils[] = {"coil_temperature.a", "coil_temperature.b"};
+    result.highestTemperature_degC = highestCoil_degC(coils, recording);
     const std::size_t first = run.stages.empty() ? 0 : run.stages.front().firstRow; // the run-up is over
     const std::vector<double> current_A = recording.column("current_command");
     const std::vector<double> speed_rad_s = recording.column("speed");

@@ -70,7 +70,7 @@ struct FrequencyResult {
     bool wasStrayUncompensated = false; ///< before; while measuring it is compensated
     DataQuality quality;
     double duration_s = 0.0;
-    double highestTemperature_degC = 0.0;
+    std::optional<double> highestTemperature_degC; ///< of the coils, where the board reports it
     double highestCurrent_A = 0.0;
     double lowestSpeed_rad_s = 0.0; ///< magnitude, while excited
     Recording recording;            ///< all of it, once each position sample

@@ -4,6 +4,7 @@
 #include "app/procedures/identify/identify_procedure.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,8 +24,8 @@ struct AxesIdentifyResult {
     std::vector<NamedEstimate> constants; ///< absolute; they need one given constant
     std::vector<NamedEstimate> ratios;    ///< that need none
     DataQuality quality;
-    double duration_s = 0.0; ///< device time that the excitation took
-    double highestTemperature_degC = 0.0;
+    double duration_s = 0.0;                       ///< device time that the excitation took
+    std::optional<double> highestTemperature_degC; ///< of the coils, where the board reports it
     Recording recording;
     std::map<std::string, double> notes; ///< further diagnostics
 };

@@ -1,6 +1,7 @@
 #include "app/procedures/identify/axes_run.h"
 
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
@@ -70,6 +71,7 @@ Result<IdentifyOutcome> runAxes(const AxesRun& run, devices::Device& device, con
         (void)enterState(observer, ProcedureState::Restored);
         return failure(result.error());
     }
+    result->highestTemperature_degC = highestCoil_degC(catalogue, result->recording);
     if (auto entered = enterState(observer, ProcedureState::Done); !entered) {
         return failure(entered.error());
     }

@@ -1,5 +1,6 @@
 #include "app/procedures/identify/identify_estimate.h"
 
+#include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/identify/identify_motion.h"
 #include "control/base/units.h"
 #include "control/identify/angle_column.h"
@@ -111,18 +112,18 @@ Result<Columns> takeColumns(const Recording& recording) {
 }
 
 void takeTemperatures(const Recording& recording, IdentifyFits& fits) {
+    const std::string coils[] = {"coil_temperature.a", "coil_temperature.b"};
     bool isFirst = true;
-    for (const char* name : {"coil_temperature.a", "coil_temperature.b"}) {
+    for (const std::string& name : coils) {
         const std::vector<double> values = recording.column(name);
         if (values.empty()) {
             continue;
         }
         const double start = values.front();
         fits.startTemperature_degC = isFirst ? start : std::min(fits.startTemperature_degC, start);
-        const double highest = *std::max_element(values.begin(), values.end());
-        fits.highestTemperature_degC = isFirst ? highest : std::max(fits.highestTemperature_degC, highest);
         isFirst = false;
     }
+    fits.highestTemperature_degC = highestCoil_degC(coils, recording);
 }
 
 // The same for the forces that the model lacks: g(omega)/a, of which one sigma is an error of all points.

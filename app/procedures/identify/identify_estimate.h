@@ -34,7 +34,7 @@ struct IdentifyFits {
     std::string sweepProblem;
     double largestCurrent_A = 0.0;
     double startTemperature_degC = 25.0;
-    double highestTemperature_degC = 25.0;
+    std::optional<double> highestTemperature_degC; ///< of the coils, where it was recorded
     std::uint64_t lostRows = 0;
     std::optional<double> wrap_rad; ///< at which the angle jumped back
 };

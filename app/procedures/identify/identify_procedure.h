@@ -81,11 +81,11 @@ struct IdentifyResult {
     std::vector<std::string> covarianceNames; ///< parameters with a value and an error, else ratios
     std::vector<std::vector<double>> covariance;
     DataQuality quality;
-    double duration_s = 0.0; ///< device time that the excitation took
-    double highestTemperature_degC = 0.0;
-    MeasuredTiming timing = {};          ///< of the board; of a file what is recorded with it
-    Recording recording;                 ///< all of the excitation at 100 Hz; empty for a file
-    std::map<std::string, double> notes; ///< further diagnostics, e.g. "friction_scatter_ratio"
+    double duration_s = 0.0;                       ///< device time that the excitation took
+    std::optional<double> highestTemperature_degC; ///< of the coils, where it was recorded
+    MeasuredTiming timing = {};                    ///< of the board; of a file what is recorded with it
+    Recording recording;                           ///< all of the excitation at 100 Hz; empty for a file
+    std::map<std::string, double> notes;           ///< further diagnostics, e.g. "friction_scatter_ratio"
 };
 
 /// Forecast of the sweep: duration, current and coil temperature, before anything is armed (also for `run

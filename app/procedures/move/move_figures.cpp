@@ -154,6 +154,25 @@ std::optional<double> restFrom_s(const MoveReference& reference) {
     }
 }
 
+void measureWindow(const MoveResponse& response, const MoveConfig& config, MoveFigures& figures) {
+    constexpr double Proof_s = 0.1;
+    const auto rest_s = restFrom_s(config.reference);
+    if (!config.settlingWindow || !rest_s || *rest_s > response.time_s.back()) {
+        return;
+    }
+    const double end = response.reference.back();
+    double inside_s = response.time_s.back();
+    for (std::size_t i = response.time_s.size(); i-- > 0;) {
+        if (std::fabs(end - response.position[i]) > *config.settlingWindow) {
+            break;
+        }
+        inside_s = response.time_s[i];
+    }
+    if (inside_s + Proof_s <= response.time_s.back() + 1e-9) {
+        figures.windowTime_s = inside_s;
+    }
+}
+
 struct Moments {
     double mean;
     double deviation;
@@ -272,6 +291,7 @@ Result<MoveFigures> measureMove(const MoveResponse& response, const MoveConfig& 
     measureErrors(response, config, figures);
     measureTravel(response, config, figures);
     measureLock(response, config, figures);
+    measureWindow(response, config, figures);
     if (config.reference.shape == MoveReference::Shape::Sine) {
         measureSine(response, config, figures);
     }

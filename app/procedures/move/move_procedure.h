@@ -17,6 +17,9 @@ struct MoveConfig {
     std::optional<double> evaluateTo_s;
     /// Error below which the axis counts as locked to its reference; without one there is no lock time.
     std::optional<double> lockThreshold;
+    /// Distance from the end of the reference within which the axis counts as settled; without one there is
+    /// no window time.
+    std::optional<double> settlingWindow = {};
     /// Overshoot needs fine samples. A board that cannot send so many sends one each position loop.
     double rate_Hz = 1000.0;
     double speedLimit_rad_s = 40.0; ///< of an axis that turns forever; others keep the board's window
@@ -54,6 +57,10 @@ struct MoveFigures {
     /// From here to the end the error stays below MoveConfig::lockThreshold; absent when it does not. Of
     /// a sine, whose error has two peaks a period, at least half a period must follow.
     std::optional<double> lockTime_s;
+    /// From here to the end, for a tenth of a second at least, the position stays within
+    /// MoveConfig::settlingWindow of the end of the reference; absent when it does not, and of a reference
+    /// that does not rest at its end.
+    std::optional<double> windowTime_s = {};
     /// Standard deviation of the position in the last half second (of Shape::Rest all the time), where the
     /// reference rests there; its mean is no noise.
     std::optional<double> restRms;
@@ -82,7 +89,7 @@ struct PathResult {
     devices::AxisSpec axis;
     MoveFigures measured;
     std::optional<MoveFigures> truth;
-    double peakEffort = 0.0;
+    std::optional<double> peakEffort;
     ContourError measuredContour;
     std::optional<ContourError> trueContour;
 };
@@ -91,12 +98,13 @@ struct MoveResult {
     MoveFigures measured;
     std::optional<MoveFigures> truth; ///< on a device that knows the true position
     Recording recording;              ///< from the start of the reference; time from 0
-    double peakCurrent_A = 0.0;
-    double highestTemperature_degC = 0.0;
-    std::optional<double> lockThreshold; ///< that both lock times are meant with
+    // Nothing where the board does not report it.
+    std::optional<double> peakCurrent_A;
+    std::optional<double> highestTemperature_degC; ///< of the coils, where the board reports it
+    std::optional<double> lockThreshold;           ///< that both lock times are meant with
     DataQuality quality;
     devices::AxisSpec axis = {};            ///< that moved
-    double peakEffort = 0.0;                ///< of that axis, in its effort unit
+    std::optional<double> peakEffort = {};  ///< of that axis, in its effort unit
     std::vector<CrossAxisPeak> others = {}; ///< empty on a device with one axis
     std::optional<double> travel_s = {};    ///< of a travel or path, known before it began
     std::optional<PathResult> path = {};

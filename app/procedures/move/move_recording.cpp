@@ -1,6 +1,7 @@
 #include "app/procedures/move/move_recording.h"
 
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/excite/travel_reference.h"
 #include "app/procedures/move/move_judgement.h"
 
@@ -90,10 +91,11 @@ MoveResponse responseOf(const Recording& recording, const CountedColumn& positio
     return response;
 }
 
-double largest(const std::vector<double>& values, bool ofMagnitude) {
-    double result = 0.0;
+/// Nothing of a column that was not recorded.
+std::optional<double> largestMagnitude(const std::vector<double>& values) {
+    std::optional<double> result;
     for (const double value : values) {
-        result = std::max(result, ofMagnitude ? std::fabs(value) : value);
+        result = std::max(std::fabs(value), result.value_or(0.0));
     }
     return result;
 }
@@ -160,25 +162,16 @@ Result<std::vector<OtherAxis>> otherAxes(const devices::Catalogue& catalogue, co
 }
 
 // The board's own amplitude where it has one, else that of any coil.
-double peakCurrent_A(const devices::Catalogue& catalogue, const Recording& recording) {
-    double peak_A = largest(recording.column("current_command"), true);
+std::optional<double> peakCurrent_A(const devices::Catalogue& catalogue, const Recording& recording) {
+    std::optional<double> peak_A = largestMagnitude(recording.column("current_command"));
     if (catalogue.axes.size() > 1) {
         for (const SignalSpec& signal : catalogue.signals) {
-            const bool isCurrent = signal.role.starts_with("current.");
-            peak_A = isCurrent ? std::max(peak_A, largest(recording.column(signal.name), true)) : peak_A;
+            if (signal.role.starts_with("current.")) {
+                peak_A = std::max(peak_A, largestMagnitude(recording.column(signal.name)));
+            }
         }
     }
     return peak_A;
-}
-
-double highestTemperature_degC(const devices::Catalogue& catalogue, const Recording& recording) {
-    double highest_degC = 0.0;
-    for (const SignalSpec& signal : catalogue.signals) {
-        if (signal.role.starts_with("coil_temperature.")) {
-            highest_degC = std::max(highest_degC, largest(recording.column(signal.name), false));
-        }
-    }
-    return highest_degC;
 }
 
 /// An axis that moved, and where it was before.
@@ -199,7 +192,7 @@ Result<MovedColumns> withOrigin(const Recording& recording, MovedColumns moved) 
 struct AxisFigures {
     MoveFigures measured;
     std::optional<MoveFigures> truth;
-    double peakEffort = 0.0;
+    std::optional<double> peakEffort;
     MoveResponse response; ///< that was measured
 };
 
@@ -223,7 +216,7 @@ Result<AxisFigures> figuresOf(const Recording& recording, const MovedColumns& mo
         }
         figures.truth = *truth;
     }
-    figures.peakEffort = largest(recording.column(columns.effort), true);
+    figures.peakEffort = largestMagnitude(recording.column(columns.effort));
     return figures;
 }
 
@@ -359,7 +352,7 @@ Result<MoveResult> judgeRecording(Recording recording, const MoveConfig& config,
                                               restWindow_s(config.reference, config.duration_s)));
     }
     result.peakCurrent_A = peakCurrent_A(catalogue, recording);
-    result.highestTemperature_degC = highestTemperature_degC(catalogue, recording);
+    result.highestTemperature_degC = highestCoil_degC(catalogue, recording);
     result.recording = std::move(recording);
     return result;
 }

@@ -1,5 +1,6 @@
 #include "app/procedures/relay/relay_judge.h"
 
+#include "app/procedures/base/coil_forecast.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -32,11 +33,8 @@ Result<void> checkRows(const RelayRun& run) {
 void takeFigures(RelayResult& result, const RelayRun& run) {
     const Recording& recording = run.recording;
     result.duration_s = recording.time_s.back() - recording.time_s.front();
-    for (const char* name : {"coil_temperature.a", "coil_temperature.b"}) {
-        for (const double value_degC : recording.column(name)) {
-            result.highestTemperature_degC = std::max(result.highestTemperature_degC, value_degC);
-        }
-    }
+    const std::string coils[] = {"coil_temperature.a", "coil_temperature.b"};
+    result.highestTemperature_degC = highestCoil_degC(coils, recording);
     const std::vector<double> speed_rad_s = recording.column("speed");
     const double sign = run.plan.turn_rad_s < 0.0 ? -1.0 : 1.0;
     result.lowestSpeed_rad_s = result.highestSpeed_rad_s = std::abs(run.plan.turn_rad_s);

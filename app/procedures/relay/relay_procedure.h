@@ -67,8 +67,8 @@ struct RelayResult {
     RelayAgreement agreement = RelayAgreement::Unknown;
     DataQuality quality;
     double duration_s = 0.0;
-    double highestTemperature_degC = 0.0;
-    double lowestSpeed_rad_s = 0.0; ///< magnitudes, while measured
+    std::optional<double> highestTemperature_degC; ///< of the coils, where the board reports it
+    double lowestSpeed_rad_s = 0.0;                ///< magnitudes, while measured
     double highestSpeed_rad_s = 0.0;
     Recording recording; ///< all of it, once each position sample
 };

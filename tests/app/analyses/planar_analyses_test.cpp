@@ -43,6 +43,35 @@ TEST(ForceAnalysis, recomputesThePublishedNumbers) {
     EXPECT_NEAR(figure(body, "divergence_printed_sign_ratio"), 2.0, 1e-9);
 }
 
+// Contradiction 3: the amplitudes of a Halbach array of height Delta go with (1 - e^(-n gamma Delta))/n, and
+// gamma Delta = pi/2; with that of the fundamental for all the fifth would be
+// 0.950 % 5 (1 - e^(-pi/2))/(1 - e^(-5 pi/2)). Coil 1 stands 6.4 mm off the middle of the platen.
+TEST(ForceAnalysis, showsWhatThePrintedSubscriptsWouldGive) {
+    const JsonValue body = forces({{"points", "4"}});
+    const double ratio = 5.0 * (1.0 - std::exp(-M_PI / 2.0)) / (1.0 - std::exp(-2.5 * M_PI));
+    EXPECT_NEAR(figure(body, "fifth_of_one_amplitude_percent"), 0.9500 * ratio, 5e-5 * ratio);
+    EXPECT_NEAR(figure(body, "force_without_base_percent"), 100.0 * std::cos(2.0 * M_PI / 50.8 * 6.4), 1e-9);
+}
+
+// Contradiction 4: the printed chain of phases and torques holds from inner corner to inner corner of the
+// coil windows; from centre to centre coil 6 is a winding's width away from where it would have to be.
+TEST(ForceAnalysis, findsTheChainOfPhasesAndTorquesConsistent) {
+    const JsonValue body = forces({{"points", "4"}});
+    EXPECT_NEAR(figure(body, "base_points_6_1_pitches"), 0.75, 1e-12);
+    EXPECT_NEAR(figure(body, "base_points_5_6_pitches"), 1.25, 1e-12);
+    EXPECT_NEAR(figure(body, "base_points_1_2_pitches"), 0.75, 1e-12);
+    EXPECT_NEAR(figure(body, "centres_6_1_pitches"), 6.096 / 50.8, 1e-12);
+    EXPECT_NEAR(figure(body, "phase_chain_N_per_A"), 0.0, 1e-12);
+    EXPECT_NEAR(figure(body, "torque_signs_Nm_per_A"), 0.0, 1e-12);
+}
+
+// Contradiction 14: 0.06 mT of 20 mT, and what that is in position where the slope is largest.
+TEST(ForceAnalysis, saysHowMuchTheEddyFieldWouldBe) {
+    const JsonValue body = forces({{"points", "4"}});
+    EXPECT_NEAR(figure(body, "eddy_field_percent"), 0.3, 1e-12);
+    EXPECT_NEAR(figure(body, "eddy_position_um"), 1e6 * 0.003 / 123.68475, 1e-3);
+}
+
 // Without heading the forces of one array do not depend on the other axis: what a demand along x does along
 // y comes from the corners alone, and prisms, which have none, do nothing there (section 5.4).
 TEST(ForceAnalysis, prismsHaveNoCrossForceWithoutHeading) {

@@ -12,6 +12,7 @@ import tomllib
 import unittest
 
 import jsonschema
+import run_schema
 
 PROGRAM, RESOURCES = (os.path.abspath(path) for path in (sys.argv.pop(1), sys.argv.pop(1)))
 
@@ -48,6 +49,10 @@ class Schemas(unittest.TestCase):
         for path in files:
             with open(path, encoding="utf-8") as file:
                 jsonschema.Draft7Validator.check_schema(json.load(file))
+
+    def test_the_steps_of_a_run_are_the_results_of_the_commands(self):
+        with open(run_schema.path_of(RESOURCES), encoding="utf-8") as file:
+            self.assertTrue(file.read() == run_schema.composed(RESOURCES), "write it with run_schema.py resources --write")
 
     def test_a_schema_refuses_what_it_does_not_know(self):
         document = self.run_json("get", "sim:htm", "gain.kp")
@@ -222,10 +227,36 @@ class Schemas(unittest.TestCase):
                     jsonschema.Draft7Validator(schema_of("experiment")).validate(tomllib.load(file))
                 self.accept(self.run_json("run", path, "--dry-run"))
 
+    def test_an_unknown_key_is_refused_by_schema_and_program(self):
+        kinds = {branch["properties"]["kind"]["const"]
+                 for branch in schema_of("experiment")["properties"]["step"]["items"]["oneOf"]}
+        self.assertGreater(len(kinds), 10)
+        texts = ['schema = "halbench.experiment/1"\ndevice = "sim:htm"\n[[step]]\nkind = "wait"\nname = "w"\nduration_s = 1']
+        for path in sorted(glob.glob(os.path.join(RESOURCES, "experiments", "*", "*.toml"))):
+            with open(path, encoding="utf-8") as file:
+                texts.append(file.read())
+        for lines in (text.splitlines() for text in texts):
+            for kind in sorted(kinds):
+                line = f'kind = "{kind}"'
+                if line not in lines:
+                    continue
+                kinds.remove(kind)
+                at = lines.index(line)
+                text = "\n".join(lines[:at] + ["surplus = 1"] + lines[at:]) + "\n"
+                with self.subTest(kind=kind):
+                    with self.assertRaises(jsonschema.ValidationError):
+                        jsonschema.Draft7Validator(schema_of("experiment")).validate(tomllib.loads(text))
+                    with open(os.path.join(self.folder.name, "e.toml"), "w", encoding="utf-8") as file:
+                        file.write(text)
+                    refused = self.accept(self.run_json("run", "e.toml", "--dry-run", code=2))
+                    self.assertIn("unknown key 'surplus'", refused["message"])
+        self.assertEqual(kinds, set())
+
     def test_runs(self):
-        folder = os.path.join(RESOURCES, "experiments", "htm")
-        for name in ("tour.toml", "figure-07-amplifier.toml", "contradiction-06-difference-equation.toml",
-                     "frequency-response.toml", "relay-experiment.toml"):
+        folder = os.path.join(RESOURCES, "experiments")
+        for name in ("htm/tour.toml", "htm/figure-07-amplifier.toml", "htm/contradiction-06-difference-equation.toml",
+                     "htm/frequency-response.toml", "htm/relay-experiment.toml", "planar/tour.toml",
+                     "planar/frequency-response.toml", "planar/forces.toml", "spherical/tour.toml"):
             with self.subTest(name=name):
                 printed = self.accept(self.run_json("run", os.path.join(folder, name), "--out", name))
                 with open(os.path.join(self.folder.name, name, "result.json"), encoding="utf-8") as file:

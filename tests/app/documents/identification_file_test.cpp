@@ -51,6 +51,16 @@ TEST(IdentificationFile, whatWasReadWritesTheSameBytesAgain) {
     EXPECT_EQ(written(file->header, file->result), text);
 }
 
+TEST(IdentificationFile, aTemperatureThatWasNotRecordedStaysAbsent) {
+    IdentifyResult made = result();
+    made.highestTemperature_degC.reset();
+    const std::string text = written(header(), made);
+    EXPECT_NE(text.find("\"highest_temperature_degC\": null"), std::string::npos);
+    const auto file = parseIdentification(text, "model.json");
+    ASSERT_TRUE(file) << file.error().message;
+    EXPECT_FALSE(file->result.highestTemperature_degC);
+}
+
 TEST(IdentificationFile, keepsTheTimingOfTheLoopThatWasMeasured) {
     const auto file = parseIdentification(written(header(), result()), "model.json");
     ASSERT_TRUE(file) << file.error().message;

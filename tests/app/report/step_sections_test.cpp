@@ -227,12 +227,14 @@ TEST(MoveSection, listsTheRunsOfARepeatedMoveAndSaysWhatLockedMeans) {
     result.measured.lockTime_s = 0.73;
     MoveRepetition repetition;
     repetition.config = {2, 0.28 * M_PI / 180.0};
-    repetition.start_rad = {0.0, M_PI / 2.0};
-    repetition.maxError_rad = {0.1 * M_PI / 180.0, 1.25 * M_PI / 180.0};
-    repetition.peakToPeak_rad = {0.0, 2.5 * M_PI / 180.0};
+    repetition.start = {0.0, M_PI / 2.0};
+    repetition.maxError = {0.1 * M_PI / 180.0, 1.25 * M_PI / 180.0};
+    repetition.peakToPeak = {0.0, 2.5 * M_PI / 180.0};
+    repetition.windowTime_s = {0.4128, std::nullopt};
     const std::string html = textOf(moveSection("move: micro", result, std::nullopt, repetition));
     for (const char* words : {"50 % of 2 runs settled within 0.28\u00b0", "90.00", "1.250", "2.500", "0.730",
-                              "error below 20\u00b0 to the end"}) {
+                              "error below 20\u00b0 to the end", "start \u00b0", "0.413",
+                              "Settling time, 1 of 2 runs: 0.413 to 0.413 s"}) {
         EXPECT_NE(html.find(words), std::string::npos) << words;
     }
 }

@@ -67,6 +67,27 @@ TEST(PlanarParameters, defaultsAreThoseOfTheTheoryPage) {
     }
 }
 
+// Section 10, contradiction 16: what the publication leaves out has the value [A] of section 3 and can be
+// another one.
+TEST(PlanarParameters, whatThePublicationLeavesOutIsAssumedAndEditable) {
+    const std::pair<const char*, double> expected[] = {
+        {"travel_mm", 50.0},     {"travel_mrad", 20.0},       {"lattice_pitches", 6.0},
+        {"hall1_x_mm", -63.5},   {"hall2_x_mm", 63.5},        {"hall3_x_mm", 0.0},
+        {"cable_N_per_m", 2.0},  {"cable_Nm_per_rad", 0.005}, {"cable_x_mm", 0.0},
+        {"cable_y_mm", -20.0},   {"slow_force_mN", 0.5},      {"slow_force_Hz", 5.0},
+        {"hall_field_mT", 20.0}, {"hall_noise_uT", 18.0}};
+    for (const auto& [key, value] : expected) {
+        const PlanarParameterSpec* spec = findPlanarParameter(key);
+        ASSERT_NE(spec, nullptr) << key;
+        EXPECT_EQ(spec->provenance, 'A') << key;
+        PlanarParameters parameters;
+        EXPECT_NEAR(planarParameter(parameters, key).value_or(NAN), value, 1e-12 * std::fabs(value)) << key;
+        const double other = value + 1.0; // whole where a count is
+        EXPECT_TRUE(setPlanarParameter(parameters, key, other)) << key;
+        EXPECT_NEAR(planarParameter(parameters, key).value_or(NAN), other, 1e-12 * std::fabs(other)) << key;
+    }
+}
+
 TEST(PlanarParameters, refusesUnknownKeysAndImpossibleValues) {
     PlanarParameters parameters;
     EXPECT_EQ(setPlanarParameter(parameters, "mass", 1.0).error().code, ErrorCode::UnknownName);

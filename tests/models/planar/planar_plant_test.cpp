@@ -98,6 +98,24 @@ TEST(PlanarPlant, withoutImperfectionsOnlyTheConverterIsLeft) {
     }
 }
 
+// Section 10, contradiction 14: no field of eddy currents. The printed bound of 0.06 mT would show here 20
+// 000 times over the rounding of a code.
+TEST(PlanarPlant, readsInMotionTheFieldOfThePoseAlone) {
+    PlanarPlant positioner = plant(withIdealChain({}));
+    driveCurrents(positioner, currents(0.3, 0.1, -0.2, 0.25, -0.3, 0.15));
+    positioner.advance(400);
+    const PlatenState& platen = positioner.truth().platen;
+    ASSERT_GT(std::hypot(platen.velocity.x_m_s, platen.velocity.y_m_s), 0.1);
+    const auto codes = codesOf(positioner);
+    const double gamma = waveNumber_per_m(positioner.parameters().geometry.matrix);
+    for (std::size_t i = 0; i < ChipCount; ++i) {
+        const Eigen::Vector2d place_m(positioner.parameters().chipX_m[i], positioner.parameters().chipY_m[i]);
+        const Eigen::Vector2d exact_T = chipField_T(gamma, 20e-3, place_m, platen.pose);
+        EXPECT_NEAR(field_T(positioner, codes[2 * i]), exact_T.x(), 3e-9);
+        EXPECT_NEAR(field_T(positioner, codes[2 * i + 1]), exact_T.y(), 3e-9);
+    }
+}
+
 TEST(PlanarPlant, electricalWorkIsMechanicalWork) {
     // Power that the coils take beyond heat, sum of e i, against the power of the wrench: the same numbers by
     // two routes, since e is the induced voltage of the motion and the wrench comes from the currents.

@@ -80,7 +80,7 @@ TEST(PlatenIdentify, takesAsLongAsThePlanSays) {
     const AxesIdentifyResult result = identified(*device, {});
     const IdentifyPrediction plan = predictPlatenIdentify({}, 25.0);
     EXPECT_NEAR(result.duration_s, plan.duration_s, 1.0); // way to the first lines and back: 10 mm at 50 mm/s
-    EXPECT_LT(result.highestTemperature_degC, plan.highestTemperature_degC);
+    EXPECT_LT(result.highestTemperature_degC.value(), plan.highestTemperature_degC);
 }
 
 TEST(PlatenIdentify, oneAxisIsGivenAloneAndAnUnknownOneIsRefused) {

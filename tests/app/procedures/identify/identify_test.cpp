@@ -347,9 +347,9 @@ TEST(IdentifyPrediction, foreseesHeatAndDuration) {
     const IdentifyPrediction prediction = predictIdentify({}, 25.0);
     EXPECT_EQ(prediction.peakCurrent_A, 4.0);
     // the pilot and the board's error of a kelvin come on top
-    EXPECT_NEAR(prediction.highestTemperature_degC, result->highestTemperature_degC, 6.0);
+    EXPECT_NEAR(prediction.highestTemperature_degC, result->highestTemperature_degC.value(), 6.0);
     EXPECT_NEAR(prediction.duration_s, result->duration_s, 0.15 * result->duration_s);
-    EXPECT_LT(result->highestTemperature_degC, 70.0);
+    EXPECT_LT(result->highestTemperature_degC.value(), 70.0);
 }
 
 } // namespace

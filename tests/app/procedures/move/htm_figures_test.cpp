@@ -147,7 +147,7 @@ TEST(DegreePreset, largeStepsEndInALimitCycleFromEveryStart) {
         const auto repeated = runRepeatedMove(*device, config, {27, degreesToRadians(0.64)}, {});
         ASSERT_TRUE(repeated) << repeated.error().message;
         EXPECT_EQ(repeated->repetition.settled_ratio(), 0.0) << step;
-        std::vector<double> swing = repeated->repetition.peakToPeak_rad;
+        std::vector<double> swing = repeated->repetition.peakToPeak;
         std::sort(swing.begin(), swing.end());
         EXPECT_GT(radiansToDegrees(swing.front()), 2.0) << step;
         EXPECT_GT(radiansToDegrees(swing[6]), 2.2 - 0.05) << step;

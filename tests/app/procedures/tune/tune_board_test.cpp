@@ -28,7 +28,7 @@ double distanceFromPrediction(const TuneResult& tuned, double step_rad) {
     const MoveResult result = moved(*device, move("step,amplitude_rad=" + std::to_string(step_rad), 0.9));
     const std::vector<double> truth_rad = result.recording.column("truth.position");
     const std::vector<double>& predicted = tuned.predicted.stepCurve.response_rad;
-    EXPECT_LE(result.peakCurrent_A, 4.0 * 0.999) << "the limit would not be linear";
+    EXPECT_LE(result.peakCurrent_A.value(), 4.0 * 0.999) << "the limit would not be linear";
     double largest = 0.0;
     for (std::size_t i = 0; i < std::min(truth_rad.size(), predicted.size()); ++i) {
         largest = std::max(largest, std::abs((truth_rad[i] - truth_rad.front()) / step_rad - predicted[i]));
