@@ -3,6 +3,7 @@
 #include "app/actuators/actuator.h"
 #include "app/cli/axis_tuning_text.h"
 #include "app/cli/command_support.h"
+#include "app/cli/identify_options.h"
 #include "app/documents/axis_loop_documents.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
@@ -21,25 +22,34 @@
 namespace halbench::app {
 namespace {
 
+constexpr const char* NotOfAxes = "does not belong to the model of several axes";
+
 /// What needs a motor, or is drawn of one loop.
-Result<void> refuseForAxes(const CommandOptions& options) {
-    return refuseGiven({{"--relay", !options.relayFile.empty()},
+Result<void> refuseForAxes(const TuneOptions& options) {
+    return refuseGiven({{"--relay", !options.design.relayFile.empty()},
                         {"--calibration", !options.calibrationFile.empty()},
-                        {"--max-sensitivity", !options.maxSensitivity.empty()},
-                        {"--current-limit-a", !options.currentLimit.empty()},
-                        {"--step-deg", !options.limitedStep.empty()},
-                        {"--picture", !options.pictures.empty()},
-                        {"--code", !options.codeFile.empty()},
+                        {"--max-sensitivity", !options.design.maxSensitivity.empty()},
+                        {"--current-limit-a", !options.design.currentLimit.empty()},
+                        {"--step-deg", !options.design.limitedStep.empty()},
+                        {"--picture", !options.outputs.pictures.empty()},
+                        {"--code", !options.outputs.codeFile.empty()},
                         {"--live", options.isLive},
-                        {"--given", !options.given.empty()},
+                        {"--given", !options.given.empty()}},
+                       NotOfAxes, "leave it out");
+}
+
+Result<void> refuseForAxes(const AnalyseOptions& options) {
+    return refuseGiven({{"--calibration", !options.calibrationFile.empty()},
+                        {"--picture", !options.outputs.pictures.empty()},
+                        {"--code", !options.outputs.codeFile.empty()},
                         {"--bode", !options.bodeFile.empty()},
                         {"--step", !options.stepFile.empty()},
                         {"--poles", !options.polesFile.empty()},
                         {"--compare", !options.compared.empty()},
-                        {"--what-if", !options.whatIfRecording.empty()},
-                        {"--ran", !options.ranFile.empty()},
-                        {"--motion", !options.whatIfFile.empty()}},
-                       "does not belong to the model of several axes", "leave it out");
+                        {"--what-if", !options.whatIf.recording.empty()},
+                        {"--ran", !options.whatIf.ranFile.empty()},
+                        {"--motion", !options.whatIf.motionFile.empty()}},
+                       NotOfAxes, "leave it out");
 }
 
 Result<std::optional<double>> positive(const std::string& option, const std::string& text) {
@@ -51,12 +61,13 @@ Result<std::optional<double>> positive(const std::string& option, const std::str
     return value;
 }
 
-Result<TuneAxesConfig> configFrom(const CommandOptions& options, std::uint64_t seed) {
+Result<TuneAxesConfig> configFrom(const DesignOptions& options, const std::string& disturbance,
+                                  std::uint64_t seed) {
     const auto zeta = positive("--zeta", options.zeta);
     const auto omega = positive("--omega-rad-s", options.omega);
     const auto bandwidth = positive("--bandwidth-hz", options.bandwidth);
     const auto margin = positive("--phase-margin-deg", options.phaseMargin);
-    const auto load = positive("--disturbance", options.load);
+    const auto load = positive("--disturbance", disturbance);
     for (const auto* value : {&zeta, &omega, &bandwidth, &margin, &load}) {
         if (!*value) {
             return failure(value->error());
@@ -71,7 +82,7 @@ Result<TuneAxesConfig> configFrom(const CommandOptions& options, std::uint64_t s
 }
 
 /// --gains holds the gains: nothing is designed.
-Result<void> refuseDesign(const CommandOptions& options) {
+Result<void> refuseDesign(const DesignOptions& options) {
     return refuseGiven({{"--method", !options.method.empty()},
                         {"--zeta", !options.zeta.empty()},
                         {"--omega-rad-s", !options.omega.empty()},
@@ -88,22 +99,20 @@ struct AxisWork {
     TuneAxesConfig config;
 };
 
-Result<AxisWork> workOf(CommandContext& context, const CommandOptions& options, const AxisModelFile& model,
-                        const char* schema) {
-    if (const auto fits = refuseForAxes(options); !fits) {
-        return failure(fits.error());
-    }
+/// `design` and `load`: as the user wrote them.
+Result<AxisWork> workOf(CommandContext& context, const AxisModelFile& model, const char* schema,
+                        const std::string& axis, const DesignOptions& design, const std::string& load) {
     AxisWork work;
     work.header = headerFor(context, schema);
     work.header.device = model.header.device;
     work.header.seed = context.global.seed.value_or(model.header.seed);
-    const auto axes = chosenAxesOf(model.model, options.axis);
+    const auto axes = chosenAxesOf(model.model, axis);
     if (!axes) {
         return failure(axes.error().code, "--axis: " + axes.error().message, axes.error().hint);
     }
     work.axes = *axes;
     auto conditions = axisConditionsOf(model, work.axes);
-    auto config = configFrom(options, work.header.seed);
+    auto config = configFrom(design, load, work.header.seed);
     if (!conditions || !config) {
         return failure(!conditions ? conditions.error() : config.error());
     }
@@ -130,7 +139,7 @@ Result<TuneAxesResult> judgedGains(const std::string& path, const AxisModelFile&
 }
 
 /// A model of another kind of actuator has no place here; one of another device of the kind needs a word.
-Result<void> admit(const CommandOptions& options, const AxisModelFile& model,
+Result<void> admit(const TuneOptions& options, const AxisModelFile& model,
                    const devices::DeviceInfo& device) {
     const auto& identified = model.header.device;
     if (identified && identified->model != device.model) {
@@ -148,7 +157,7 @@ Result<void> admit(const CommandOptions& options, const AxisModelFile& model,
 }
 
 /// All axes of the device are written together, unless one is named.
-Result<void> checkComplete(const CommandOptions& options, const devices::Catalogue& catalogue,
+Result<void> checkComplete(const TuneOptions& options, const devices::Catalogue& catalogue,
                            const std::vector<std::string>& axes) {
     if (!options.axis.empty() && options.axis != "all") {
         return {};
@@ -165,7 +174,7 @@ Result<void> checkComplete(const CommandOptions& options, const devices::Catalog
 }
 
 /// The loops are judged as they run on the device.
-Result<std::unique_ptr<devices::Device>> openForAxes(CommandContext& context, const CommandOptions& options,
+Result<std::unique_ptr<devices::Device>> openForAxes(CommandContext& context, const TuneOptions& options,
                                                      const AxisModelFile& model, AxisWork& work,
                                                      std::unique_ptr<devices::Device> identified) {
     const bool isSame = identified && options.applyDevice == options.device;
@@ -227,19 +236,23 @@ Result<std::optional<AxisModelFile>> axisModelIn(const std::string& path) {
     return model ? Result<std::optional<AxisModelFile>>(*std::move(model)) : failure(model.error());
 }
 
-Result<void> refuseAxis(const CommandOptions& options) {
-    return refuseGiven({{"--axis", !options.axis.empty()}}, "belongs to a model of several axes",
+Result<void> refuseAxis(const std::string& axis) {
+    return refuseGiven({{"--axis", !axis.empty()}}, "belongs to a model of several axes",
                        "leave it out: this one has a single loop");
 }
 
-CommandResult tuneAxesOf(CommandContext& context, const CommandOptions& options, const AxisModelFile& model,
+CommandResult tuneAxesOf(CommandContext& context, const TuneOptions& options, const AxisModelFile& model,
                          std::unique_ptr<devices::Device> identified) {
     if (!options.gainsFile.empty()) {
-        if (const auto fits = refuseDesign(options); !fits) {
+        if (const auto fits = refuseDesign(options.design); !fits) {
             return failure(fits.error());
         }
     }
-    auto work = workOf(context, options, model, "halbench.gains/1");
+    if (const auto fits = refuseForAxes(options); !fits) {
+        return failure(fits.error());
+    }
+    auto work =
+        workOf(context, model, "halbench.gains/1", options.axis, options.design, options.outputs.load);
     if (!work) {
         return failure(work.error());
     }
@@ -279,21 +292,23 @@ CommandResult tuneAxesOf(CommandContext& context, const CommandOptions& options,
     return isKept ? exitCodeFor(result->quality) : ExitCode::CheckFailed;
 }
 
-CommandResult tuneAxesOfDevice(CommandContext& context, const CommandOptions& options,
+CommandResult tuneAxesOfDevice(CommandContext& context, const TuneOptions& options,
                                std::unique_ptr<devices::Device> device) {
-    CommandOptions tuning = options;
+    TuneOptions tuning = options;
     tuning.given.clear(); // it is the identification's
     if (const auto fits = refuseForAxes(tuning); !fits) {
         return failure(fits.error());
     }
     const Actuator& actuator = actuatorOf(device->info().model);
-    Result<IdentifyConfig> config = identifyConfigFrom(options, actuator);
+    SweepOptions sweep;
+    sweep.given = options.given;
+    Result<IdentifyConfig> config = identifyConfigFrom(sweep, options.axis, actuator);
     if (!config) {
         return failure(config.error());
     }
     AxisModelFile model{headerFor(context, AxisModelSchema, *device), {}};
     config->seed = model.header.seed;
-    if (const auto possible = configFrom(tuning, model.header.seed); !possible) {
+    if (const auto possible = configFrom(tuning.design, tuning.outputs.load, model.header.seed); !possible) {
         return failure(possible.error());
     }
     if (const auto possible = actuator.identify.check(device->catalogue(), *config); !possible) {
@@ -321,9 +336,12 @@ CommandResult tuneAxesOfDevice(CommandContext& context, const CommandOptions& op
     return tuneAxesOf(context, tuning, model, std::move(device));
 }
 
-CommandResult analyseAxesOf(CommandContext& context, const CommandOptions& options,
+CommandResult analyseAxesOf(CommandContext& context, const AnalyseOptions& options,
                             const AxisModelFile& model) {
-    const auto work = workOf(context, options, model, "halbench.analysis/1");
+    if (const auto fits = refuseForAxes(options); !fits) {
+        return failure(fits.error());
+    }
+    const auto work = workOf(context, model, "halbench.analysis/1", options.axis, {}, options.outputs.load);
     if (!work) {
         return failure(work.error());
     }

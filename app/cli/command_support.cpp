@@ -77,13 +77,13 @@ Result<void> backUp(CommandContext& context, devices::Device& device) {
     return backUp(context, device, *values);
 }
 
-Result<void> checkStore(const CommandOptions& options, const devices::Device& device) {
-    if (!options.isSaved || !device.info().isSimulated) {
+Result<void> checkStore(bool isSaved, const std::string& uri, const devices::Device& device) {
+    if (!isSaved || !device.info().isSimulated) {
         return {};
     }
     return failure(ErrorCode::Usage,
                    "--save: a simulated device is new in every process and has nothing to store in",
-                   "keep one running with 'halbench serve " + options.device + " --tcp 127.0.0.1:0'");
+                   "keep one running with 'halbench serve " + uri + " --tcp 127.0.0.1:0'");
 }
 
 Result<std::vector<devices::DerivedSignal>> derivedOption(const std::vector<std::string>& texts) {
@@ -97,6 +97,17 @@ Result<std::vector<devices::DerivedSignal>> derivedOption(const std::vector<std:
         list.push_back(*std::move(derived));
     }
     return list;
+}
+
+void addDerive(CommandSyntax& syntax, std::vector<std::string>& derived) {
+    syntax.repeatable("--derive", derived,
+                      "A signal computed from others, e.g. 'field = sqrt(hall.a^2 + hall.b^2)'; repeatable",
+                      "'NAME [UNIT] = EXPRESSION'");
+}
+
+void addCalibration(CommandSyntax& syntax, std::string& path) {
+    syntax.option("--calibration", path, "How well the stray field is known, from calibrate --out",
+                  "CAL.json");
 }
 
 } // namespace halbench::app

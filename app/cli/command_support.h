@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/actuators/actuator.h"
-#include "app/cli/commands.h"
+#include "app/cli/command_syntax.h"
 #include "app/documents/text/result_text.h"
+#include "app/headless/command_context.h"
 #include "devices/acquisition/derived_signals.h"
 
 #include <initializer_list>
@@ -26,7 +26,7 @@ Result<void> backUp(CommandContext& context, const devices::Device& device,
 /// The same with the values read first. Errors: also of the device.
 Result<void> backUp(CommandContext& context, devices::Device& device);
 /// --save needs a device that has something to store in. Error: Usage.
-Result<void> checkStore(const CommandOptions& options, const devices::Device& device);
+Result<void> checkStore(bool isSaved, const std::string& uri, const devices::Device& device);
 
 /// FILE.csv, FILE.mf4 or replay:FILE; nothing for a device.
 std::optional<std::string> recordingPath(const std::string& text);
@@ -42,13 +42,12 @@ struct NamedOption {
 /// The first that is given is refused. Error: Usage.
 Result<void> refuseGiven(std::initializer_list<NamedOption> options, const char* message, const char* hint);
 
-/// The sweep, directions and given constants of `identify` as written on the command line, for the actuator
-/// that is identified. Errors: Usage, UnknownName, NotFinite, OutOfRange, naming the option; FileSystem,
-/// InvalidInput of --bare.
-Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options, const Actuator& actuator);
+/// --derive
+void addDerive(CommandSyntax& syntax, std::vector<std::string>& derived);
 /// The signals of --derive. Errors: InvalidInput, naming the option.
 Result<std::vector<devices::DerivedSignal>> derivedOption(const std::vector<std::string>& texts);
 
-std::string identificationText(const IdentifyOutcome& outcome);
+/// --calibration
+void addCalibration(CommandSyntax& syntax, std::string& path);
 
 } // namespace halbench::app

@@ -1,23 +1,44 @@
 #pragma once
 
-#include "app/headless/command_options.h"
+#include <string>
+#include <vector>
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
 
 namespace halbench::app {
 
-// The parts of the command line's syntax, each for one kind of command.
+/// Whether a command can do without an option.
+enum class Presence { Optional, Required };
 
-/// A command that understands the global options behind its name too.
-CLI::App* addCommand(CLI::App& app, const char* name, const char* help);
+/// Adds the options of one command to the command line, each tied to the field that takes what the user
+/// writes: "--name" is an option, "NAME" an argument by its place. Numbers stay text until the command judges
+/// them, so that its message can name the option. `type` is the placeholder of the value in the help.
+class CommandSyntax {
+public:
+    explicit CommandSyntax(CLI::App& command);
 
-/// An option that names a recording to be written: .csv, and nothing stands there that is no file.
-CLI::Option* addRecordingOut(CLI::App* command, const char* name, std::string& path, const char* help);
+    /// An argument by its place, which must be given.
+    void argument(const std::string& name, std::string& value, const std::string& help,
+                  const std::string& type = {});
+    /// One or more of them.
+    void arguments(const std::string& name, std::vector<std::string>& values, const std::string& help);
+    /// DEVICE
+    void device(std::string& uri);
+    void option(const std::string& name, std::string& value, const std::string& help,
+                const std::string& type = {}, Presence presence = Presence::Optional);
+    void flag(const std::string& name, bool& isGiven, const std::string& help);
+    /// An option that may be given several times, with one value each.
+    void repeatable(const std::string& name, std::vector<std::string>& values, const std::string& help,
+                    const std::string& type);
+    /// An option that names a recording to be written: .csv, and nothing stands there that is no file.
+    void recording(const std::string& name, std::string& path, const std::string& help,
+                   Presence presence = Presence::Optional);
 
-/// Commands that work on recordings: convert, spectrum, plot, import, recordings, overlay.
-void addRecordingCommands(CLI::App& app, CommandOptions& options);
-
-/// The commands of the table of analyses, with their keys as options.
-void addAnalysisCommands(CLI::App& app, CommandOptions& options);
+private:
+    CLI::App& m_command;
+};
 
 } // namespace halbench::app

@@ -1,32 +1,36 @@
 #pragma once
 
 #include "app/analyses/analysis.h"
-#include "app/headless/command_context.h"
+#include "app/cli/command.h"
+
+#include <vector>
 
 namespace halbench::app {
 
-// One function a command; each prints its result and returns the exit code or what stopped it.
-CommandResult runDevicesCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runDescribeCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runGetCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runSetCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runConfigCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runMoveCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runIdentifyCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runRunCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runConvertCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runSpectrumCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runPlotCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runImportCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runRecordingsCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runRetentionCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runOverlayCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runServeCommand(CommandContext& context, const CommandOptions& options);
-CommandResult runAnalysisCommand(CommandContext& context, const Analysis& analysis,
-                                 const CommandOptions& options);
+/// All commands, in the order of the help. Each call makes new ones, whose options are not filled in yet.
+std::vector<Command> allCommands();
+
+// Each with its options, in the source of its name; several that belong together share one.
+Command devicesCommand();    // commands_inspect.cpp
+Command describeCommand();   // commands_inspect.cpp
+Command getCommand();        // commands_values.cpp
+Command setCommand();        // commands_values.cpp
+Command configCommand();     // commands_config.cpp
+Command recordCommand();     // commands_record.cpp
+Command moveCommand();       // commands_move.cpp
+Command calibrateCommand();  // commands_calibrate.cpp
+Command identifyCommand();   // commands_identify.cpp
+Command tuneCommand();       // commands_tuning.cpp
+Command analyseCommand();    // commands_analyse.cpp
+Command runCommand();        // commands_run.cpp
+Command serveCommand();      // commands_serve.cpp
+Command convertCommand();    // commands_convert.cpp
+Command spectrumCommand();   // commands_spectrum.cpp
+Command plotCommand();       // commands_plot.cpp
+Command importCommand();     // commands_import.cpp
+Command recordingsCommand(); // commands_recordings.cpp
+Command overlayCommand();    // commands_overlay.cpp
+/// The command of a row of the table of analyses, with its keys as options.
+Command analysisCommand(const Analysis& analysis); // commands_analysis.cpp
 
 } // namespace halbench::app

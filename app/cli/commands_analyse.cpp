@@ -1,6 +1,8 @@
 #include "app/cli/axis_tuning.h"
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/cli/judgement_text.h"
+#include "app/cli/loop_options.h"
 #include "app/cli/loop_pictures.h"
 #include "app/documents/filtered_gains.h"
 #include "app/documents/law_code.h"
@@ -147,7 +149,7 @@ Result<ComparedLoop> analyseGains(const std::string& path, const ModelFile& mode
     return ComparedLoop{path, *std::move(file), *std::move(result), std::move(other)};
 }
 
-Result<std::vector<ComparedLoop>> analyseAll(const CommandOptions& options, const ModelFile& model,
+Result<std::vector<ComparedLoop>> analyseAll(const AnalyseOptions& options, const ModelFile& model,
                                              const LoopConditions& conditions) {
     std::vector<std::string> paths{options.gainsFile};
     paths.insert(paths.end(), options.compared.begin(), options.compared.end());
@@ -214,7 +216,7 @@ Result<TuneResult> judgeAll(std::vector<ComparedLoop>& loops, const ModelFile& m
 }
 
 /// What the other programs and controllers draw and run: of the first gains.
-Result<void> writeFiles(const CommandOptions& options, const ModelFile& model, const ComparedLoop& loop,
+Result<void> writeFiles(const AnalyseOptions& options, const ModelFile& model, const ComparedLoop& loop,
                         LoopConditions conditions, const JudgedWith& with) {
     const AnalysisResult& result = loop.result;
     conditions.timing = loop.gains.timing;
@@ -229,24 +231,24 @@ Result<void> writeFiles(const CommandOptions& options, const ModelFile& model, c
         done = writeStep(options.stepFile, result.stepCurve, loaded, with.load_A, loop, motors);
     }
     done = done ? writePoles(options.polesFile, result.roots) : done;
-    return done ? writeLaw(options.codeFile, loop.gains.loopLaw(), conditions,
+    return done ? writeLaw(options.outputs.codeFile, loop.gains.loopLaw(), conditions,
                            {loop.gains.method, model.device})
                 : done;
 }
 
 /// Without --what-if nothing.
-Result<std::optional<WhatIfReport>> askWhatIf(const CommandOptions& options, const ModelFile& model,
+Result<std::optional<WhatIfReport>> askWhatIf(const AnalyseOptions& options, const ModelFile& model,
                                               const ComparedLoop& own, LoopConditions conditions,
                                               std::uint64_t seed) {
-    if (options.whatIfRecording.empty()) {
-        if (!options.ranFile.empty() || !options.whatIfFile.empty()) {
+    if (options.whatIf.recording.empty()) {
+        if (!options.whatIf.ranFile.empty() || !options.whatIf.motionFile.empty()) {
             return failure(ErrorCode::Usage, "--ran and --motion belong to --what-if",
                            "name the recorded move: --what-if RECORDING");
         }
         return std::optional<WhatIfReport>();
     }
     conditions.timing = own.gains.timing;
-    const Result<RanMove> ran = readRanMove(options.whatIfRecording, options.ranFile, conditions);
+    const Result<RanMove> ran = readRanMove(options.whatIf.recording, options.whatIf.ranFile, conditions);
     if (!ran) {
         return failure(ran.error());
     }
@@ -255,8 +257,9 @@ Result<std::optional<WhatIfReport>> askWhatIf(const CommandOptions& options, con
     if (!report) {
         return failure(report.error());
     }
-    if (!options.whatIfFile.empty()) {
-        if (const Result<void> written = writeFile(options.whatIfFile, whatIfTable(*report)); !written) {
+    if (!options.whatIf.motionFile.empty()) {
+        if (const Result<void> written = writeFile(options.whatIf.motionFile, whatIfTable(*report));
+            !written) {
             return failure(written.error());
         }
     }
@@ -275,13 +278,14 @@ Result<void> drawPictures(const std::vector<LoopPicture>& pictures, const ModelF
 }
 
 /// --disturbance, and the seed of the drawn motors.
-Result<JudgedWith> judgedWith(const CommandOptions& options, std::uint64_t seed) {
-    const Result<std::optional<double>> load = optionalNumber("--disturbance", options.load);
+Result<JudgedWith> judgedWith(const AnalyseOptions& options, std::uint64_t seed) {
+    const Result<std::optional<double>> load = optionalNumber("--disturbance", options.outputs.load);
     if (!load) {
         return failure(load.error());
     }
     if (load->value_or(1.0) <= 0.0) {
-        return failure(ErrorCode::OutOfRange, fmt::format("--disturbance: {} is not positive", options.load),
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("--disturbance: {} is not positive", options.outputs.load),
                        "give a positive number");
     }
     return JudgedWith{seed, load->value_or(DisturbanceLoad_A)};
@@ -293,20 +297,18 @@ bool isAnyRefused(const std::vector<ComparedLoop>& loops) {
     });
 }
 
-} // namespace
-
-CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& options) {
-    const auto axes = axisModelIn(options.device);
+CommandResult runAnalyseCommand(CommandContext& context, const AnalyseOptions& options) {
+    const auto axes = axisModelIn(options.model);
     if (!axes) {
         return failure(axes.error());
     }
     if (*axes) {
         return analyseAxesOf(context, options, **axes);
     }
-    if (const Result<void> fits = refuseAxis(options); !fits) {
+    if (const Result<void> fits = refuseAxis(options.axis); !fits) {
         return failure(fits.error());
     }
-    const Result<ModelFile> model = readModelFile(options.device);
+    const Result<ModelFile> model = readModelFile(options.model);
     if (!model) {
         return failure(model.error());
     }
@@ -325,7 +327,7 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     ResultHeader header = headerFor(context, "halbench.analysis/1");
     header.device = model->device;
     header.seed = context.global.seed.value_or(model->seed);
-    const auto pictures = loopPicturesOf(options.pictures);
+    const auto pictures = loopPicturesOf(options.outputs.pictures);
     const auto with = judgedWith(options, header.seed);
     if (!pictures || !with) {
         return failure(pictures ? with.error() : pictures.error());
@@ -360,6 +362,39 @@ CommandResult runAnalyseCommand(CommandContext& context, const CommandOptions& o
     }
     const bool isWithheld = *motion && (*motion)->withheld;
     return isAnyRefused(*loops) || isWithheld ? ExitCode::CheckFailed : ExitCode::Done;
+}
+
+void addOptions(CommandSyntax& syntax, AnalyseOptions& options) {
+    syntax.argument("MODEL.json", options.model, "Identified model");
+    syntax.argument("GAINS.json", options.gainsFile, "Gains");
+    addModelAxis(syntax, options.axis);
+    addCalibration(syntax, options.calibrationFile);
+    syntax.option("--bode", options.bodeFile, "Open loop, frequency response", "F.csv");
+    syntax.option("--step", options.stepFile, "Closed loop, step response", "F.csv");
+    syntax.option("--poles", options.polesFile, "Poles, zeros and root locus", "F.csv");
+    syntax.repeatable("--compare", options.compared, "Other gains beside them; repeatable", "GAINS.json");
+    syntax.option("--what-if", options.whatIf.recording, "A recorded move, as it would be with these gains",
+                  "RECORDING");
+    syntax.option("--ran", options.whatIf.ranFile, "Gains of that move; default: as recorded beside it",
+                  "GAINS.json");
+    syntax.option("--motion", options.whatIf.motionFile, "Recorded and predicted motion of --what-if",
+                  "F.csv");
+    addLoopOutputs(syntax, options.outputs);
+}
+
+CommandOutputs outputsOf(const AnalyseOptions& options) {
+    CommandOutputs outputs{{options.bodeFile, options.stepFile, options.polesFile, options.outputs.codeFile,
+                            options.whatIf.motionFile},
+                           {}};
+    addPictureFiles(outputs, options.outputs);
+    return outputs;
+}
+
+} // namespace
+
+Command analyseCommand() {
+    return makeCommand<AnalyseOptions>("analyse", "Margins and step response of a model with gains",
+                                       {addOptions, runAnalyseCommand, outputsOf});
 }
 
 } // namespace halbench::app

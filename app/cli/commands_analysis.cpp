@@ -1,6 +1,4 @@
-#include "app/analyses/registry/analyses.h"
 #include "app/cli/command_support.h"
-#include "app/cli/command_syntax.h"
 #include "app/cli/commands.h"
 #include "app/documents/text/output_file.h"
 #include "app/headless/analysis_control.h"
@@ -13,9 +11,17 @@ namespace halbench::app {
 
 namespace {
 
-Result<void> writeOutput(CommandContext& context, const Analysis& analysis, const CommandOptions& options,
+struct AnalysisOptions {
+    const Analysis* analysis;
+    std::string input; ///< RECORDING
+    std::string out;
+    std::map<std::string, std::string> values; ///< by the keys of the analysis
+    std::map<std::string, bool> flags;
+};
+
+Result<void> writeOutput(CommandContext& context, const AnalysisOptions& options,
                          const AnalysisOutcome& result) {
-    if (options.out.empty() || !analysis.writesTable || !result.table) {
+    if (options.out.empty() || !options.analysis->writesTable || !result.table) {
         return {};
     }
     const Result<void> free =
@@ -27,32 +33,27 @@ Result<void> writeOutput(CommandContext& context, const Analysis& analysis, cons
     return written;
 }
 
-} // namespace
-
-void addAnalysisCommands(CLI::App& app, CommandOptions& options) {
-    for (const Analysis& analysis : analyses()) {
-        CLI::App* command =
-            addCommand(app, std::string(analysis.name).c_str(), std::string(analysis.help).c_str());
-        if (analysis.needsRecording) {
-            command->add_option("RECORDING", options.input, "Recording")->required();
-        }
-        for (const AnalysisKey& key : analysis.keys) {
-            const std::string name(key.name);
-            const std::string help(key.help);
-            if (key.type == AnalysisKeyType::Flag) {
-                command->add_flag(optionOf(key), options.flags[name], help);
-            } else {
-                command->add_option(optionOf(key), options.values[name], help)
-                    ->type_name(key.choices.empty() ? "VALUE" : std::string(key.choices));
-            }
-        }
-        command->add_option("--out", options.out, analysis.writesTable ? "Table" : "Result")
-            ->type_name(analysis.writesTable ? "FILE.csv" : "FILE.json");
+void addOptions(CommandSyntax& syntax, AnalysisOptions& options) {
+    const Analysis& analysis = *options.analysis;
+    if (analysis.needsRecording) {
+        syntax.argument("RECORDING", options.input, "Recording");
     }
+    for (const AnalysisKey& key : analysis.keys) {
+        const std::string name(key.name);
+        const std::string help(key.help);
+        if (key.type == AnalysisKeyType::Flag) {
+            syntax.flag(optionOf(key), options.flags[name], help);
+        } else {
+            syntax.option(optionOf(key), options.values[name], help,
+                          key.choices.empty() ? "VALUE" : std::string(key.choices));
+        }
+    }
+    syntax.option("--out", options.out, analysis.writesTable ? "Table" : "Result",
+                  analysis.writesTable ? "FILE.csv" : "FILE.json");
 }
 
-CommandResult runAnalysisCommand(CommandContext& context, const Analysis& analysis,
-                                 const CommandOptions& options) {
+CommandResult runAnalysisCommand(CommandContext& context, const AnalysisOptions& options) {
+    const Analysis& analysis = *options.analysis;
     const Result<AnalysisValues> values = parseAnalysisValues(analysis, options.values, options.flags);
     if (!values) {
         return failure(values.error());
@@ -80,7 +81,7 @@ CommandResult runAnalysisCommand(CommandContext& context, const Analysis& analys
         return failure(stopped ? result.error() : stopped.error());
     }
     addQuality(header.quality, result->quality);
-    if (const Result<void> written = writeOutput(context, analysis, options, *result); !written) {
+    if (const Result<void> written = writeOutput(context, options, *result); !written) {
         return failure(written.error());
     }
     JsonValue document = toJson(header);
@@ -92,6 +93,18 @@ CommandResult runAnalysisCommand(CommandContext& context, const Analysis& analys
         return failure(done.error());
     }
     return exitCodeFor(header.quality);
+}
+
+CommandOutputs outputsOf(const AnalysisOptions& options) {
+    return {{options.out}, {}};
+}
+
+} // namespace
+
+Command analysisCommand(const Analysis& analysis) {
+    return makeCommand<AnalysisOptions>(std::string(analysis.name), std::string(analysis.help),
+                                        {addOptions, runAnalysisCommand, outputsOf},
+                                        {&analysis, {}, {}, {}, {}});
 }
 
 } // namespace halbench::app

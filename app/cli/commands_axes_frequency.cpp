@@ -83,11 +83,12 @@ std::string responseText(const AxesFrequencyResult& result) {
 
 } // namespace
 
-Result<AxesFrequencyConfig> axesFrequencyConfigFrom(const CommandOptions& options) {
-    const bool isOtherExcitation = !options.excitation.empty() && options.excitation != "multisine";
+Result<AxesFrequencyConfig> axesFrequencyConfigFrom(const IdentifyOptions& options) {
+    const bool isOtherExcitation =
+        !options.frequency.excitation.empty() && options.frequency.excitation != "multisine";
     if (const auto fits = refuseGiven({{"--base-rad-s", !options.base.empty()},
-                                       {"--amplitude-deg", !options.amplitude.empty()},
-                                       {"--calibration", !options.calibrationFile.empty()},
+                                       {"--amplitude-deg", !options.frequency.amplitude.empty()},
+                                       {"--calibration", !options.frequency.calibrationFile.empty()},
                                        {"--excitation", isOtherExcitation}},
                                       "belongs to a motor", "this device is excited by multisines of effort");
         !fits) {
@@ -96,12 +97,14 @@ Result<AxesFrequencyConfig> axesFrequencyConfigFrom(const CommandOptions& option
     AxesFrequencyConfig config;
     config.axis = options.axis;
     double periods = config.periods;
-    const Result<void> taken = takeNumbers({{"--from-hz", options.fromFrequency, config.from_Hz},
-                                            {"--to-hz", options.toFrequency, config.to_Hz},
-                                            {"--effort-ratio", options.effortRatio, config.effort_ratio},
-                                            {"--periods", options.periods, periods},
-                                            {"--coherence", options.coherence, config.leastCoherence}});
-    const Result<int> whole = taken ? wholePeriods(periods, options.periods) : failure(taken.error());
+    const Result<void> taken =
+        takeNumbers({{"--from-hz", options.frequency.from, config.from_Hz},
+                     {"--to-hz", options.frequency.to, config.to_Hz},
+                     {"--effort-ratio", options.frequency.effortRatio, config.effort_ratio},
+                     {"--periods", options.frequency.periods, periods},
+                     {"--coherence", options.frequency.coherence, config.leastCoherence}});
+    const Result<int> whole =
+        taken ? wholePeriods(periods, options.frequency.periods) : failure(taken.error());
     if (!whole) {
         return failure(whole.error());
     }
@@ -109,7 +112,7 @@ Result<AxesFrequencyConfig> axesFrequencyConfigFrom(const CommandOptions& option
     return config;
 }
 
-CommandResult runAxesFrequencyCommand(CommandContext& context, const CommandOptions& options,
+CommandResult runAxesFrequencyCommand(CommandContext& context, const IdentifyOptions& options,
                                       devices::Device& device) {
     const Result<AxesFrequencyConfig> config = axesFrequencyConfigFrom(options);
     if (!config) {

@@ -1,5 +1,6 @@
 #include "app/actuators/actuator.h"
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/procedure_choices.h"
@@ -15,6 +16,13 @@
 namespace halbench::app {
 
 namespace {
+
+struct CalibrateOptions {
+    std::string device; ///< or FILE.csv
+    std::string what;   ///< hall, stray, static-friction or all
+    bool isApplied = false;
+    std::string out;
+};
 
 std::string calibrationText(const CalibrateResult& result) {
     std::string text;
@@ -37,7 +45,7 @@ const Actuator* actuatorOfRecording(const devices::RecordedFile& file) {
     return found == rows.end() ? nullptr : &*found;
 }
 
-CommandResult calibrateFile(CommandContext& context, const CommandOptions& options,
+CommandResult calibrateFile(CommandContext& context, const CalibrateOptions& options,
                             const std::vector<Calibration>& which, const std::string& path) {
     if (options.isApplied) {
         return failure(ErrorCode::Usage, "a recording has no device to write to",
@@ -80,9 +88,7 @@ CommandResult calibrateFile(CommandContext& context, const CommandOptions& optio
     return exitCodeFor(result->quality);
 }
 
-} // namespace
-
-CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runCalibrateCommand(CommandContext& context, const CalibrateOptions& options) {
     const Result<std::vector<Calibration>> which = calibrationsFrom(options.what);
     if (!which) {
         return failure(which.error());
@@ -114,6 +120,24 @@ CommandResult runCalibrateCommand(CommandContext& context, const CommandOptions&
         return failure(done.error());
     }
     return exitCodeFor(result->quality);
+}
+
+void addOptions(CommandSyntax& syntax, CalibrateOptions& options) {
+    syntax.argument("DEVICE|FILE.csv", options.device, "Device, or recording of one that senses");
+    syntax.argument("WHAT", options.what, "hall, stray, static-friction or all");
+    syntax.flag("--apply", options.isApplied, "Write the result to the device");
+    syntax.option("--out", options.out, "Result", "CAL.json");
+}
+
+CommandOutputs outputsOf(const CalibrateOptions& options) {
+    return {{options.out}, {}};
+}
+
+} // namespace
+
+Command calibrateCommand() {
+    return makeCommand<CalibrateOptions>("calibrate", "Calibrate the sensors",
+                                         {addOptions, runCalibrateCommand, outputsOf});
 }
 
 } // namespace halbench::app

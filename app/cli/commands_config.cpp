@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/comparison_documents.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/output_file.h"
@@ -11,6 +12,15 @@
 namespace halbench::app {
 
 namespace {
+
+struct ConfigOptions {
+    std::string what; ///< save, compare or restore
+    std::string device;
+    std::string input; ///< FILE
+    std::string only;  ///< rows, separated by commas
+    bool withCalibration = false;
+    bool isSaved = false;
+};
 
 CommandResult save(CommandContext& context, devices::Device& device, const std::string& path) {
     const Result<std::map<std::string, double>> values = readSettings(device);
@@ -86,7 +96,7 @@ CommandResult compare(CommandContext& context, devices::Device& device, const st
 }
 
 std::vector<std::string> rowsToRestore(const ConfigurationComparison& comparison,
-                                       const CommandOptions& options) {
+                                       const ConfigOptions& options) {
     if (options.only.empty()) {
         return proposedRows(comparison, options.withCalibration);
     }
@@ -104,7 +114,7 @@ bool isAllRestored(const ConfigurationComparison& comparison, const std::vector<
     return isDone && (isTaken || !isWhole);
 }
 
-CommandResult restore(CommandContext& context, devices::Device& device, const CommandOptions& options) {
+CommandResult restore(CommandContext& context, devices::Device& device, const ConfigOptions& options) {
     const Result<Question> question = ask(device, options.input);
     if (!question) {
         return failure(question.error());
@@ -132,7 +142,7 @@ CommandResult restore(CommandContext& context, devices::Device& device, const Co
     return answer(context, device, *question, *outcomes, isGood);
 }
 
-Result<void> checkOptions(const CommandOptions& options) {
+Result<void> checkOptions(const ConfigOptions& options) {
     const bool isRestoring = options.what == "restore";
     if (options.what != "save" && options.what != "compare" && !isRestoring) {
         return failure(ErrorCode::Usage, fmt::format("config cannot '{}'", options.what),
@@ -149,9 +159,7 @@ Result<void> checkOptions(const CommandOptions& options) {
     return {};
 }
 
-} // namespace
-
-CommandResult runConfigCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runConfigCommand(CommandContext& context, const ConfigOptions& options) {
     if (const Result<void> checked = checkOptions(options); !checked) {
         return failure(checked.error());
     }
@@ -159,7 +167,7 @@ CommandResult runConfigCommand(CommandContext& context, const CommandOptions& op
     if (!device) {
         return failure(device.error());
     }
-    if (const Result<void> fits = checkStore(options, **device); !fits) {
+    if (const Result<void> fits = checkStore(options.isSaved, options.device, **device); !fits) {
         return failure(fits.error());
     }
     if (options.what == "save") {
@@ -167,6 +175,27 @@ CommandResult runConfigCommand(CommandContext& context, const CommandOptions& op
     }
     return options.what == "compare" ? compare(context, **device, options.input)
                                      : restore(context, **device, options);
+}
+
+void addOptions(CommandSyntax& syntax, ConfigOptions& options) {
+    syntax.argument("WHAT", options.what, "save, compare or restore");
+    syntax.device(options.device);
+    syntax.argument("FILE", options.input, "Configuration", "FILE.toml");
+    syntax.option("--only", options.only, "Restore these rows, separated by commas", "A,B");
+    syntax.flag("--calibration", options.withCalibration,
+                "Restore the calibration too when it was measured on another device");
+    syntax.flag("--save", options.isSaved, "Store in the board's non-volatile memory as well");
+}
+
+CommandOutputs outputsOf(const ConfigOptions& options) {
+    return {{options.what == "save" ? options.input : std::string()}, {}};
+}
+
+} // namespace
+
+Command configCommand() {
+    return makeCommand<ConfigOptions>("config", "Save, compare and restore all settings of a device",
+                                      {addOptions, runConfigCommand, outputsOf});
 }
 
 } // namespace halbench::app

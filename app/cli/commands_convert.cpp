@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/result_header.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
@@ -12,6 +13,13 @@
 namespace halbench::app {
 
 namespace {
+
+struct ConvertOptions {
+    std::string input, out;
+    std::string signals; ///< names, separated by commas
+    std::string from, to;
+    std::vector<std::string> derived;
+};
 
 std::string recoveryText(const std::string& path, const devices::Recovery& recovery) {
     const std::string cut =
@@ -37,9 +45,7 @@ JsonValue toJson(const devices::Recovery& recovery) {
     return document.set("unchecked_rows", static_cast<std::uint64_t>(recovery.uncheckedRows));
 }
 
-} // namespace
-
-CommandResult runConvertCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runConvertCommand(CommandContext& context, const ConvertOptions& options) {
     const Result<std::optional<double>> from = optionalNumber("--from", options.from);
     const Result<std::optional<double>> to = optionalNumber("--to", options.to);
     if (!from || !to) {
@@ -75,6 +81,26 @@ CommandResult runConvertCommand(CommandContext& context, const CommandOptions& o
         return failure(printed.error());
     }
     return ExitCode::Done;
+}
+
+void addOptions(CommandSyntax& syntax, ConvertOptions& options) {
+    syntax.argument("IN", options.input, "Recording");
+    syntax.argument("OUT", options.out, "New recording");
+    syntax.option("--signals", options.signals, "Names, separated by commas", "A,B");
+    syntax.option("--from", options.from, "First time", "S");
+    syntax.option("--to", options.to, "Last time", "S");
+    addDerive(syntax, options.derived);
+}
+
+CommandOutputs outputsOf(const ConvertOptions& options) {
+    return {{}, {options.out}, {options.input}};
+}
+
+} // namespace
+
+Command convertCommand() {
+    return makeCommand<ConvertOptions>("convert", "Convert, cut and thin out recordings",
+                                       {addOptions, runConvertCommand, outputsOf});
 }
 
 } // namespace halbench::app

@@ -47,7 +47,7 @@ std::string frequencyText(const FrequencyResult& result) {
 
 } // namespace
 
-Result<void> writeResponseFiles(const CommandOptions& options, const Recording& recording,
+Result<void> writeResponseFiles(const IdentifyOptions& options, const Recording& recording,
                                 const std::string& table, devices::Device& device,
                                 const std::string& started) {
     if (!options.recordFile.empty()) {
@@ -57,29 +57,30 @@ Result<void> writeResponseFiles(const CommandOptions& options, const Recording& 
             return written;
         }
     }
-    return options.bodeFile.empty() ? Result<void>()
-                                    : namingFile(options.bodeFile, writeFile(options.bodeFile, table));
+    return options.frequency.bodeFile.empty()
+               ? Result<void>()
+               : namingFile(options.frequency.bodeFile, writeFile(options.frequency.bodeFile, table));
 }
 
-Result<void> checkFrequencyOptions(const CommandOptions& options) {
+Result<void> checkFrequencyOptions(const IdentifyOptions& options) {
     if (options.isFrequency) {
-        return refuseGiven({{"--given", !options.given.empty()},
-                            {"--currents", !options.currents.empty()},
-                            {"--directions", !options.directions.empty()},
-                            {"--bare", !options.bare.empty()},
-                            {"--added-inertia", !options.addedInertia.empty()}},
+        return refuseGiven({{"--given", !options.sweep.given.empty()},
+                            {"--currents", !options.sweep.currents.empty()},
+                            {"--directions", !options.sweep.directions.empty()},
+                            {"--bare", !options.sweep.bare.empty()},
+                            {"--added-inertia", !options.sweep.addedInertia.empty()}},
                            "belongs to the sweep and not to --frequency", "leave one of the two out");
     }
-    return refuseGiven({{"--excitation", !options.excitation.empty()},
-                        {"--from-hz", !options.fromFrequency.empty()},
-                        {"--to-hz", !options.toFrequency.empty()},
+    return refuseGiven({{"--excitation", !options.frequency.excitation.empty()},
+                        {"--from-hz", !options.frequency.from.empty()},
+                        {"--to-hz", !options.frequency.to.empty()},
                         {"--base-rad-s", !options.base.empty()},
-                        {"--amplitude-deg", !options.amplitude.empty()},
-                        {"--effort-ratio", !options.effortRatio.empty()},
-                        {"--periods", !options.periods.empty()},
-                        {"--coherence", !options.coherence.empty()},
-                        {"--bode", !options.bodeFile.empty()},
-                        {"--calibration", !options.calibrationFile.empty()}},
+                        {"--amplitude-deg", !options.frequency.amplitude.empty()},
+                        {"--effort-ratio", !options.frequency.effortRatio.empty()},
+                        {"--periods", !options.frequency.periods.empty()},
+                        {"--coherence", !options.frequency.coherence.empty()},
+                        {"--bode", !options.frequency.bodeFile.empty()},
+                        {"--calibration", !options.frequency.calibrationFile.empty()}},
                        "belongs to a frequency response", "add --frequency");
 }
 
@@ -102,26 +103,28 @@ Result<int> wholePeriods(double periods, const std::string& text) {
     return static_cast<int>(periods);
 }
 
-Result<FrequencyConfig> frequencyConfigFrom(const CommandOptions& options) {
+Result<FrequencyConfig> frequencyConfigFrom(const IdentifyOptions& options) {
     FrequencyConfig config;
-    if (!options.excitation.empty()) {
-        const Result<Excitation> named = excitation(options.excitation);
+    if (!options.frequency.excitation.empty()) {
+        const Result<Excitation> named = excitation(options.frequency.excitation);
         if (!named) {
             return failure(ErrorCode::Usage, "--excitation: " + named.error().message, named.error().hint);
         }
         config.excitation = *named;
     }
     double periods = config.periods;
-    const Result<std::optional<double>> amplitude_deg = optionalNumber("--amplitude-deg", options.amplitude);
-    const Result<void> taken = takeNumbers({{"--from-hz", options.fromFrequency, config.from_Hz},
-                                            {"--to-hz", options.toFrequency, config.to_Hz},
-                                            {"--base-rad-s", options.base, config.base_rad_s},
-                                            {"--periods", options.periods, periods},
-                                            {"--coherence", options.coherence, config.leastCoherence}});
+    const Result<std::optional<double>> amplitude_deg =
+        optionalNumber("--amplitude-deg", options.frequency.amplitude);
+    const Result<void> taken =
+        takeNumbers({{"--from-hz", options.frequency.from, config.from_Hz},
+                     {"--to-hz", options.frequency.to, config.to_Hz},
+                     {"--base-rad-s", options.base, config.base_rad_s},
+                     {"--periods", options.frequency.periods, periods},
+                     {"--coherence", options.frequency.coherence, config.leastCoherence}});
     if (!taken || !amplitude_deg) {
         return failure(taken ? amplitude_deg.error() : taken.error());
     }
-    const Result<int> whole = wholePeriods(periods, options.periods);
+    const Result<int> whole = wholePeriods(periods, options.frequency.periods);
     if (!whole) {
         return failure(whole.error());
     }
@@ -132,7 +135,7 @@ Result<FrequencyConfig> frequencyConfigFrom(const CommandOptions& options) {
     return config;
 }
 
-CommandResult runFrequencyCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runFrequencyCommand(CommandContext& context, const IdentifyOptions& options) {
     const Result<FrequencyConfig> config = frequencyConfigFrom(options);
     if (!config) {
         return failure(config.error());
@@ -145,7 +148,7 @@ CommandResult runFrequencyCommand(CommandContext& context, const CommandOptions&
         return runAxesFrequencyCommand(context, options, **device);
     }
     if (const Result<void> fits =
-            refuseGiven({{"--effort-ratio", !options.effortRatio.empty()}},
+            refuseGiven({{"--effort-ratio", !options.frequency.effortRatio.empty()}},
                         "belongs to a device with several axes", "use --amplitude-deg here");
         !fits) {
         return failure(fits.error());
@@ -157,7 +160,7 @@ CommandResult runFrequencyCommand(CommandContext& context, const CommandOptions&
     if (!conditions) {
         return failure(conditions.error());
     }
-    if (const Result<void> taken = takeCalibration(*conditions, options.calibrationFile); !taken) {
+    if (const Result<void> taken = takeCalibration(*conditions, options.frequency.calibrationFile); !taken) {
         return failure(taken.error());
     }
     const ResultHeader header = headerFor(context, "halbench.frequency/1", **device);

@@ -1,7 +1,9 @@
 #include "app/actuators/actuator.h"
 #include "app/cli/command_output.h"
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/cli/frequency_options.h"
+#include "app/cli/identify_options.h"
 #include "app/cli/relay_options.h"
 #include "app/documents/result_documents.h"
 #include "app/headless/command_header.h"
@@ -17,23 +19,60 @@ namespace halbench::app {
 
 namespace {
 
-CommandResult finish(CommandContext& context, const CommandOptions& options, const ResultHeader& header,
+std::string textOf(const IdentifyResult& result) {
+    std::string text;
+    text += estimateLine("inertia J", result.inertia);
+    text += estimateLine("viscous c", result.viscousDamping);
+    text += estimateLine("Coulomb Kf", result.coulombFriction);
+    text += estimateLine("torque phi", result.torqueConstant);
+    for (const auto& [name, ratio] : result.ratios) {
+        text += estimateLine(name, ratio);
+    }
+    if (result.asymmetry) {
+        text += estimateLine("asymmetry", *result.asymmetry);
+    }
+    if (result.rSquared) {
+        text += fmt::format("{:<14} {:.5f}\n", "R squared", *result.rSquared);
+    }
+    return text;
+}
+
+std::string textOf(const AxesIdentifyResult& result) {
+    std::string text;
+    for (const IdentifiedAxis& axis : result.model.axes) {
+        text += estimateLine(axis.axis + " damping rate", axis.dampingRate);
+        text += estimateLine(axis.axis + " gain", axis.accelerationGain);
+        text += estimateLine(axis.axis + " breakaway", axis.breakawayEffort);
+    }
+    for (const std::vector<NamedEstimate>* list : {&result.ratios, &result.constants}) {
+        for (const NamedEstimate& each : *list) {
+            text += estimateLine(each.name, each.estimate);
+        }
+    }
+    return text;
+}
+
+std::string textOf(const IdentifyOutcome& outcome) {
+    return std::visit([](const auto& result) { return textOf(result); }, outcome) +
+           findingLines(qualityOf(outcome));
+}
+
+CommandResult finish(CommandContext& context, const IdentifyOptions& options, const ResultHeader& header,
                      const IdentifyOutcome& outcome) {
     const JsonValue document = identificationDocument(header, outcome);
-    if (const Result<void> done = deliver(context, document, identificationText(outcome), options.out);
-        !done) {
+    if (const Result<void> done = deliver(context, document, textOf(outcome), options.out); !done) {
         return failure(done.error());
     }
     return exitCodeFor(qualityOf(outcome));
 }
 
-CommandResult identifyDevice(CommandContext& context, const CommandOptions& options) {
+CommandResult identifyDevice(CommandContext& context, const IdentifyOptions& options) {
     const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
     if (!device) {
         return failure(device.error());
     }
     const Actuator& actuator = actuatorOf((*device)->info().model);
-    Result<IdentifyConfig> config = identifyConfigFrom(options, actuator);
+    Result<IdentifyConfig> config = identifyConfigFrom(options.sweep, options.axis, actuator);
     if (!config) {
         return failure(config.error());
     }
@@ -47,9 +86,9 @@ CommandResult identifyDevice(CommandContext& context, const CommandOptions& opti
         const Result<void> written =
             writeRecording(options.recordFile, recordingOf(*result), **device, {header.started, {}, {}});
         if (!written) {
-            return endWithResult(
-                context, {identificationDocument(header, *result), identificationText(*result), options.out},
-                namingFile(options.recordFile, written).error());
+            return endWithResult(context,
+                                 {identificationDocument(header, *result), textOf(*result), options.out},
+                                 namingFile(options.recordFile, written).error());
         }
     }
     return finish(context, options, header, *result);
@@ -88,8 +127,8 @@ std::optional<double> recordedLimit_A(const devices::RecordingMeta& meta) {
 }
 
 /// The device that the sidecar names; a recording without one has none.
-CommandResult identifyFile(CommandContext& context, const CommandOptions& options, const std::string& path) {
-    Result<IdentifyConfig> config = identifyConfigFrom(options, actuatorOf({}));
+CommandResult identifyFile(CommandContext& context, const IdentifyOptions& options, const std::string& path) {
+    Result<IdentifyConfig> config = identifyConfigFrom(options.sweep, options.axis, actuatorOf({}));
     if (!config) {
         return failure(config.error());
     }
@@ -119,9 +158,7 @@ CommandResult identifyFile(CommandContext& context, const CommandOptions& option
     return finish(context, options, header, *std::move(result));
 }
 
-} // namespace
-
-CommandResult runIdentifyCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runIdentifyCommand(CommandContext& context, const IdentifyOptions& options) {
     if (const Result<void> fits = checkRelayOptions(options); !fits) {
         return failure(fits.error());
     }
@@ -140,6 +177,70 @@ CommandResult runIdentifyCommand(CommandContext& context, const CommandOptions& 
                     : runFrequencyCommand(context, options);
     }
     return path ? identifyFile(context, options, *path) : identifyDevice(context, options);
+}
+
+void addSweep(CommandSyntax& syntax, IdentifyOptions& options) {
+    SweepOptions& sweep = options.sweep;
+    syntax.repeatable("--given", sweep.given,
+                      "Known constant in SI: J, c, Kf or phi of a motor, m or Iz of a platen; repeatable",
+                      "NAME=VALUE");
+    syntax.option("--currents", sweep.currents, "Sweep in ampere, default 1.6:4:0.2", "FROM:TO:STEP");
+    syntax.option("--directions", sweep.directions, "both, forward or reverse");
+    syntax.recording("--record", options.recordFile, "Recording of the sweep");
+    syntax.option("--bare", sweep.bare, "Result of the same motor without the added inertia", "MODEL.json");
+    syntax.option("--added-inertia", sweep.addedInertia, "Inertia added since --bare, kg*m^2", "KGM2");
+}
+
+void addFrequency(CommandSyntax& syntax, IdentifyOptions& options) {
+    FrequencyOptions& frequency = options.frequency;
+    syntax.flag("--frequency", options.isFrequency,
+                "Measure the frequency response instead: plant, loops, margins");
+    syntax.option("--excitation", frequency.excitation, "multisine (default), stepped-sine or chirp");
+    syntax.option("--from-hz", frequency.from, "Lowest frequency, default 0.5, of several axes 1", "HZ");
+    syntax.option("--to-hz", frequency.to, "Highest frequency, default 40, of several axes 50", "HZ");
+    syntax.option("--base-rad-s", options.base, "Constant speed below the excitation, default 5", "RAD_S");
+    syntax.option("--amplitude-deg", frequency.amplitude, "Of a sine of the same rms; default: what is safe",
+                  "DEG");
+    syntax.option("--effort-ratio", frequency.effortRatio,
+                  "Of several axes: amplitude over the effort that each has, default 0.25", "RATIO");
+    syntax.option("--periods", frequency.periods,
+                  "That are averaged, 4 to 64, default 8; of several axes 4 to 256, default 24", "N");
+    syntax.option("--coherence", frequency.coherence, "Least of a point that is used, default 0.9", "RATIO");
+    syntax.option("--bode", frequency.bodeFile, "Measured responses as a table", "F.csv");
+    addCalibration(syntax, frequency.calibrationFile);
+}
+
+void addRelay(CommandSyntax& syntax, IdentifyOptions& options) {
+    RelayOptions& relay = options.relay;
+    syntax.flag("--relay", options.isRelay,
+                "The relay experiment instead: ultimate gain and period of the position loop");
+    syntax.option("--model", relay.model, "Of --relay: plans it and is compared, from identify --out",
+                  "MODEL.json");
+    syntax.option("--relay-current", relay.current, "Height of the relay; default: what is safe", "A");
+    syntax.option("--relay-gain", relay.gain,
+                  "Gain where it does not saturate; default: 1.5 times the foreseen ultimate gain",
+                  "A_PER_RAD");
+    syntax.option("--cycles", relay.cycles, "Of --relay: measured, 40 to 400, default 100", "N");
+}
+
+void addOptions(CommandSyntax& syntax, IdentifyOptions& options) {
+    syntax.argument("DEVICE|FILE.csv", options.device, "Device or recording");
+    syntax.option("--axis", options.axis, "Axis of a device with several, or all; default all", "NAME");
+    addSweep(syntax, options);
+    syntax.option("--out", options.out, "Result", "MODEL.json");
+    addFrequency(syntax, options);
+    addRelay(syntax, options);
+}
+
+CommandOutputs outputsOf(const IdentifyOptions& options) {
+    return {{options.frequency.bodeFile, options.out}, {options.recordFile}};
+}
+
+} // namespace
+
+Command identifyCommand() {
+    return makeCommand<IdentifyOptions>("identify", "Identify friction, damping, torque constant and inertia",
+                                        {addOptions, runIdentifyCommand, outputsOf});
 }
 
 } // namespace halbench::app

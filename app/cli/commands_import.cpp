@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/import_documents.h"
 #include "app/documents/text/numbers.h"
 #include "app/headless/command_header.h"
@@ -14,6 +15,16 @@ namespace halbench::app {
 
 namespace {
 
+struct ImportOptions {
+    std::string input, out;
+    std::string separator, decimal, header;
+    std::string timeColumn; ///< --time
+    std::string rate;
+    std::vector<std::string> mappings;    ///< --map OUR=THEIR
+    std::vector<std::string> columnUnits; ///< --unit COLUMN=UNIT
+    bool isPreview = false;
+};
+
 Result<std::optional<char>> separatorFrom(const std::string& text) {
     if (text.empty()) {
         return std::optional<char>();
@@ -27,7 +38,7 @@ Result<std::optional<char>> separatorFrom(const std::string& text) {
                    "use ',', ';', tab, space, or none for a single column");
 }
 
-Result<devices::CsvHints> hintsFrom(const CommandOptions& options) {
+Result<devices::CsvHints> hintsFrom(const ImportOptions& options) {
     devices::CsvHints hints;
     const Result<std::optional<char>> separator = separatorFrom(options.separator);
     if (!separator) {
@@ -65,7 +76,7 @@ Result<std::pair<std::string, std::string>> pairFrom(const std::string& option, 
     return std::pair(text.substr(0, at), text.substr(at + 1));
 }
 
-Result<devices::CsvImportRequest> requestFrom(const CommandOptions& options) {
+Result<devices::CsvImportRequest> requestFrom(const ImportOptions& options) {
     devices::CsvImportRequest request;
     const Result<devices::CsvHints> hints = hintsFrom(options);
     if (!hints) {
@@ -97,7 +108,7 @@ Result<devices::CsvImportRequest> requestFrom(const CommandOptions& options) {
     return request;
 }
 
-Result<void> checkOut(const CommandOptions& options) {
+Result<void> checkOut(const ImportOptions& options) {
     if (options.isPreview) {
         return {};
     }
@@ -138,9 +149,7 @@ CommandResult finish(CommandContext& context, const JsonValue& document, const s
     return ExitCode::Done;
 }
 
-} // namespace
-
-CommandResult runImportCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runImportCommand(CommandContext& context, const ImportOptions& options) {
     const Result<devices::CsvImportRequest> request = requestFrom(options);
     if (!request) {
         return failure(request.error());
@@ -181,6 +190,32 @@ CommandResult runImportCommand(CommandContext& context, const CommandOptions& op
     context.console.log(LogLevel::Info,
                         fmt::format("wrote {} ({} rows)", options.out, import->recording.rows()));
     return finish(context, importDocument(header, *plan, &*import), "");
+}
+
+void addOptions(CommandSyntax& syntax, ImportOptions& options) {
+    syntax.argument("FILE", options.input, "Text with columns of numbers");
+    syntax.recording("--out", options.out, "Recording");
+    syntax.option("--separator", options.separator, "',', ';', tab, space, or none for one column", "SIGN");
+    syntax.option("--decimal", options.decimal, "Decimal sign: . or ,", "SIGN");
+    syntax.option("--header", options.header, "0, 1, or units for a line of names and one of units", "LINES");
+    syntax.option("--time", options.timeColumn, "Name or number of the time's column", "COLUMN");
+    syntax.option("--rate_Hz", options.rate, "Rows per second of a table without a time", "F");
+    syntax.repeatable("--map", options.mappings, "Name of ours for a column of theirs; repeatable",
+                      "OUR=THEIR");
+    syntax.repeatable("--unit", options.columnUnits, "Unit that a column is written in; repeatable",
+                      "COLUMN=UNIT");
+    syntax.flag("--preview", options.isPreview, "Say how the table would be read, write nothing");
+}
+
+CommandOutputs outputsOf(const ImportOptions& options) {
+    return {{}, {options.out}, {options.input}};
+}
+
+} // namespace
+
+Command importCommand() {
+    return makeCommand<ImportOptions>("import", "Make a recording of another program's table",
+                                      {addOptions, runImportCommand, outputsOf});
 }
 
 } // namespace halbench::app

@@ -10,6 +10,15 @@ namespace halbench::app {
 
 namespace {
 
+struct DevicesOptions {
+    bool printsUdevRules = false;
+    bool printsDesktopFile = false;
+};
+
+struct DescribeOptions {
+    std::string device;
+};
+
 JsonValue toJson(const devices::DeviceListing& device) {
     JsonValue entry = JsonValue::object();
     entry.set("uri", device.uri).set("model", textOrNull(device.model)).set("transport", device.transport);
@@ -81,9 +90,7 @@ std::string descriptionText(const devices::Device& device, const std::vector<dou
     return text + fmt::format("\nProcedures: {}\n", fmt::join(catalogue.procedures, ", "));
 }
 
-} // namespace
-
-CommandResult runDevicesCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runDevicesCommand(CommandContext& context, const DevicesOptions& options) {
     if (options.printsUdevRules || options.printsDesktopFile) {
         if (context.global.style.isJson || (options.printsUdevRules && options.printsDesktopFile)) {
             return failure(ErrorCode::Usage,
@@ -110,7 +117,7 @@ CommandResult runDevicesCommand(CommandContext& context, const CommandOptions& o
     return ExitCode::Done;
 }
 
-CommandResult runDescribeCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runDescribeCommand(CommandContext& context, const DescribeOptions& options) {
     const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
     if (!device) {
         return failure(device.error());
@@ -128,6 +135,29 @@ CommandResult runDescribeCommand(CommandContext& context, const CommandOptions& 
         return failure(printed.error());
     }
     return ExitCode::Done;
+}
+
+void addOptions(CommandSyntax& syntax, DevicesOptions& options) {
+    syntax.flag("--udev-rules", options.printsUdevRules,
+                "Print the rules that let a user open boards without being root");
+    syntax.flag("--desktop-file", options.printsDesktopFile,
+                "Print the entry that puts the window into the desktop's menu");
+}
+
+void addOptions(CommandSyntax& syntax, DescribeOptions& options) {
+    syntax.device(options.device);
+}
+
+} // namespace
+
+Command devicesCommand() {
+    return makeCommand<DevicesOptions>("devices", "List what can be connected; opens nothing",
+                                       {addOptions, runDevicesCommand});
+}
+
+Command describeCommand() {
+    return makeCommand<DescribeOptions>("describe", "Identity, signals and parameters of a device",
+                                        {addOptions, runDescribeCommand});
 }
 
 } // namespace halbench::app

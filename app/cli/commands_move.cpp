@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/axis_model_file.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/numbers.h"
@@ -19,6 +20,15 @@
 namespace halbench::app {
 
 namespace {
+
+struct MoveOptions {
+    std::string device;
+    std::string reference;
+    std::string axis;
+    std::string model; ///< MODEL.json
+    std::string duration;
+    std::string out;
+};
 
 std::string crossAxisText(const MoveResult& result) {
     std::string text;
@@ -57,7 +67,7 @@ std::string moveText(const MoveResult& result) {
 }
 
 /// The axes that are meant, all of which the reference suits, before the first one moves.
-Result<std::vector<std::string>> movedAxesOf(const CommandOptions& options, const MoveReference& reference,
+Result<std::vector<std::string>> movedAxesOf(const MoveOptions& options, const MoveReference& reference,
                                              const devices::Device& device) {
     if (options.axis != "all" || isPath(reference)) {
         return std::vector<std::string>{options.axis};
@@ -81,7 +91,7 @@ Result<std::vector<std::string>> movedAxesOf(const CommandOptions& options, cons
 }
 
 /// --model: what it foresees of the move of an axis that it knows; nothing without it.
-Result<std::optional<MoveFigures>> predictionOf(const CommandOptions& options, const MoveConfig& config,
+Result<std::optional<MoveFigures>> predictionOf(const MoveOptions& options, const MoveConfig& config,
                                                 devices::Device& device) {
     if (options.model.empty()) {
         return std::optional<MoveFigures>();
@@ -115,7 +125,7 @@ struct MovedAxis {
 };
 
 Result<std::vector<MovedAxis>> moveAll(CommandContext& context, devices::Device& device,
-                                       const CommandOptions& options, MoveConfig config) {
+                                       const MoveOptions& options, MoveConfig config) {
     const auto names = movedAxesOf(options, config.reference, device);
     if (!names) {
         return failure(names.error());
@@ -153,7 +163,7 @@ std::string predictedText(const MovedAxis& moved) {
 }
 
 /// A travel and a path end by themselves.
-Result<double> durationOf(const CommandOptions& options, const MoveReference& reference) {
+Result<double> durationOf(const MoveOptions& options, const MoveReference& reference) {
     if (!options.duration.empty()) {
         return numberOption("--duration", options.duration);
     }
@@ -171,9 +181,7 @@ void tellTravel(Console& console, const MoveReference& reference) {
     }
 }
 
-} // namespace
-
-CommandResult runMoveCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runMoveCommand(CommandContext& context, const MoveOptions& options) {
     const Result<MoveReference> reference = parseMoveReference(options.reference);
     if (!reference) {
         return failure(reference.error());
@@ -226,6 +234,30 @@ CommandResult runMoveCommand(CommandContext& context, const CommandOptions& opti
         return failure(printed.error());
     }
     return exitCodeFor(header.quality);
+}
+
+void addOptions(CommandSyntax& syntax, MoveOptions& options) {
+    syntax.device(options.device);
+    syntax.option("--reference", options.reference,
+                  "step,amplitude_deg=100; s-curve,amplitude_mm=5,rate_mm_s=50,...; circle; raster; rest ...",
+                  "SHAPE,KEY=VALUE...", Presence::Required);
+    syntax.option("--axis", options.axis,
+                  "Which axis moves, on a device with several; all: one after the other", "NAME|all");
+    syntax.option("--model", options.model, "Model of the axes: the move is predicted too", "MODEL.json");
+    syntax.option("--duration", options.duration,
+                  "Seconds; default of trapezoid, s-curve, circle, raster: the travel and 1 s of rest", "S");
+    syntax.recording("--out", options.out, "Recording");
+}
+
+CommandOutputs outputsOf(const MoveOptions& options) {
+    return {{}, {options.out}};
+}
+
+} // namespace
+
+Command moveCommand() {
+    return makeCommand<MoveOptions>("move", "Follow a reference and measure how well",
+                                    {addOptions, runMoveCommand, outputsOf});
 }
 
 } // namespace halbench::app

@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/result_header.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
@@ -16,6 +17,14 @@
 namespace halbench::app {
 
 namespace {
+
+struct OverlayOptions {
+    std::vector<std::string> names; ///< of the recordings
+    std::string signals;            ///< names, separated by commas
+    std::string align;
+    std::string from, to;
+    std::string out;
+};
 
 std::string fileOf(const std::string& path) {
     return QFileInfo(QString::fromStdString(path)).fileName().toStdString();
@@ -38,7 +47,7 @@ Result<ComparedRun> readRun(CommandContext& context, const std::string& path,
     return ComparedRun{name, *std::move(part), std::move(file->meta), {}, std::move(file->warnings)};
 }
 
-Result<std::vector<ComparedRun>> readRuns(CommandContext& context, const CommandOptions& options) {
+Result<std::vector<ComparedRun>> readRuns(CommandContext& context, const OverlayOptions& options) {
     const std::vector<std::string> signals = splitList(options.signals);
     if (options.names.size() < 2) {
         return failure(ErrorCode::Usage, "an overlay needs two recordings or more",
@@ -55,7 +64,7 @@ Result<std::vector<ComparedRun>> readRuns(CommandContext& context, const Command
     return runs;
 }
 
-Result<OverlayRequest> requestFrom(const CommandOptions& options) {
+Result<OverlayRequest> requestFrom(const OverlayOptions& options) {
     const Result<RunAlignment> alignment = alignmentNamed(options.align.empty() ? "start" : options.align);
     const Result<std::optional<double>> from = optionalNumber("--from", options.from);
     const Result<std::optional<double>> to = optionalNumber("--to", options.to);
@@ -106,7 +115,7 @@ JsonValue differenceJson(const ColumnDifference& difference) {
 
 /// The overlay with everything that is told of it.
 struct Overlay {
-    const CommandOptions& options;
+    const OverlayOptions& options;
     const std::vector<ComparedRun>& runs;
     const OverlayRequest& request;
     Recording recording;
@@ -200,9 +209,7 @@ DataQuality qualityOf(const Overlay& overlay) {
     return quality;
 }
 
-} // namespace
-
-CommandResult runOverlayCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runOverlayCommand(CommandContext& context, const OverlayOptions& options) {
     if (const Result<void> possible = checkIsNoInput(options.out, options.names); !possible) {
         return failure(possible.error());
     }
@@ -235,6 +242,26 @@ CommandResult runOverlayCommand(CommandContext& context, const CommandOptions& o
         return failure(done.error());
     }
     return ExitCode::Done;
+}
+
+void addOptions(CommandSyntax& syntax, OverlayOptions& options) {
+    syntax.arguments("RECORDING", options.names, "Two or more; the others are compared with the first");
+    syntax.option("--signals", options.signals, "Names, separated by commas", "A,B", Presence::Required);
+    syntax.option("--align", options.align, "start (default), trigger or marker:TEXT");
+    syntax.option("--from", options.from, "First time, since that moment", "S");
+    syntax.option("--to", options.to, "Last time, since that moment", "S");
+    syntax.recording("--out", options.out, "Recording of all of them", Presence::Required);
+}
+
+CommandOutputs outputsOf(const OverlayOptions& options) {
+    return {{}, {options.out}, options.names};
+}
+
+} // namespace
+
+Command overlayCommand() {
+    return makeCommand<OverlayOptions>("overlay", "Lay recordings over each other on one time axis",
+                                       {addOptions, runOverlayCommand, outputsOf});
 }
 
 } // namespace halbench::app

@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/result_header.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
@@ -15,6 +16,14 @@
 namespace halbench::app {
 
 namespace {
+
+struct PlotOptions {
+    std::string input, out;
+    std::string signals, right; ///< names, separated by commas
+    std::string from, to;
+    std::string title;
+    std::vector<std::string> derived;
+};
 
 /// The recording in the interval asked for, and what is known of it.
 struct Source {
@@ -37,7 +46,7 @@ std::vector<std::string> plottedNames(const StreamLayout& layout, const std::vec
     return names;
 }
 
-Result<Source> readSource(CommandContext& context, const CommandOptions& options) {
+Result<Source> readSource(CommandContext& context, const PlotOptions& options) {
     const Result<std::optional<double>> from = optionalNumber("--from", options.from);
     const Result<std::optional<double>> to = optionalNumber("--to", options.to);
     const Result<std::vector<devices::DerivedSignal>> derived = derivedOption(options.derived);
@@ -90,9 +99,7 @@ JsonValue toJson(const ResultHeader& header, const Source& source, const std::ve
     return document.set("panels", std::move(panels));
 }
 
-} // namespace
-
-CommandResult runPlotCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runPlotCommand(CommandContext& context, const PlotOptions& options) {
     if (!isPictureFile(options.out)) {
         return failure(ErrorCode::Usage,
                        fmt::format("'{}' is of no format of pictures that can be written", options.out),
@@ -124,6 +131,29 @@ CommandResult runPlotCommand(CommandContext& context, const CommandOptions& opti
         return failure(printed.error());
     }
     return ExitCode::Done;
+}
+
+void addOptions(CommandSyntax& syntax, PlotOptions& options) {
+    syntax.argument("RECORDING", options.input, "Recording");
+    syntax.option("--out", options.out, "Picture", "FILE.svg|.pdf|.png", Presence::Required);
+    syntax.option("--signals", options.signals, "Names, separated by commas", "A,B");
+    syntax.option("--from", options.from, "First time", "S");
+    syntax.option("--to", options.to, "Last time", "S");
+    syntax.option("--right", options.right, "Those on the right axis of the panel of the signal before them",
+                  "A,B");
+    syntax.option("--title", options.title, "Instead of the file's name", "TEXT");
+    addDerive(syntax, options.derived);
+}
+
+CommandOutputs outputsOf(const PlotOptions& options) {
+    return {{options.out}, {}};
+}
+
+} // namespace
+
+Command plotCommand() {
+    return makeCommand<PlotOptions>("plot", "Draw a recording for print",
+                                    {addOptions, runPlotCommand, outputsOf});
 }
 
 } // namespace halbench::app

@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/coil_documents.h"
 #include "app/documents/result_header.h"
 #include "app/documents/text/names.h"
@@ -20,6 +21,16 @@ namespace halbench::app {
 
 namespace {
 
+struct RecordOptions {
+    std::string device;
+    std::string duration, rate;
+    std::string signals; ///< names, separated by commas
+    std::string capture; ///< likewise
+    std::string trigger, preTrigger, wait;
+    bool isReconnecting = false;
+    std::string out, outMask;
+};
+
 /// An option that may be missing, into its place.
 Result<void> readInto(double& value, const char* option, const std::string& text) {
     if (text.empty()) {
@@ -33,7 +44,7 @@ Result<void> readInto(double& value, const char* option, const std::string& text
     return {};
 }
 
-Result<std::optional<RecordTrigger>> recordTriggerFrom(const CommandOptions& options) {
+Result<std::optional<RecordTrigger>> recordTriggerFrom(const RecordOptions& options) {
     if (options.trigger.empty()) {
         if (!options.preTrigger.empty() || !options.wait.empty()) {
             return failure(ErrorCode::Usage, "--pre-trigger and --wait belong to --trigger or --capture",
@@ -56,7 +67,7 @@ Result<std::optional<RecordTrigger>> recordTriggerFrom(const CommandOptions& opt
     return read ? Result<std::optional<RecordTrigger>>(trigger) : failure(read.error());
 }
 
-Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
+Result<RecordConfig> recordConfigFrom(const RecordOptions& options) {
     Result<std::optional<RecordTrigger>> trigger = recordTriggerFrom(options);
     if (!trigger) {
         return failure(trigger.error());
@@ -79,7 +90,7 @@ Result<RecordConfig> recordConfigFrom(const CommandOptions& options) {
     return config;
 }
 
-Result<CaptureConfig> captureConfigFrom(const CommandOptions& options) {
+Result<CaptureConfig> captureConfigFrom(const RecordOptions& options) {
     if (options.isReconnecting) {
         return failure(ErrorCode::Usage, "--reconnect does not go with --capture",
                        "the board loses a capture when it is restarted; capture again");
@@ -108,7 +119,7 @@ QString nameMaskOf(const std::string& outMask) {
 }
 
 /// Where it goes. Errors: Usage, InvalidInput (the mask).
-Result<void> checkOutput(const CommandOptions& options) {
+Result<void> checkOutput(const RecordOptions& options) {
     if (options.out.empty() == options.outMask.empty()) {
         return failure(ErrorCode::Usage,
                        options.out.empty() ? "--out is required" : "--out and --out-mask exclude each other",
@@ -130,7 +141,7 @@ struct Output {
 };
 
 /// `started`: the result's, so that virtual time gives equal names.
-Result<Output> outputFor(const CommandOptions& options, const devices::Device& device,
+Result<Output> outputFor(const RecordOptions& options, const devices::Device& device,
                          const std::string& started) {
     if (options.outMask.empty()) {
         return Output{options.out, {}, {}};
@@ -195,7 +206,7 @@ CommandResult tell(CommandContext& context, const Output& output, const ResultHe
     return ExitCode::Done;
 }
 
-CommandResult recordCapture(CommandContext& context, const CommandOptions& options) {
+CommandResult recordCapture(CommandContext& context, const RecordOptions& options) {
     const Result<CaptureConfig> config = captureConfigFrom(options);
     if (!config) {
         return failure(config.error());
@@ -221,7 +232,7 @@ CommandResult recordCapture(CommandContext& context, const CommandOptions& optio
     return tell(context, *output, header, {capture->rows(), capture->lostRows, 0, 0.0});
 }
 
-CommandResult recordStream(CommandContext& context, const CommandOptions& options) {
+CommandResult recordStream(CommandContext& context, const RecordOptions& options) {
     const Result<RecordConfig> config = recordConfigFrom(options);
     if (!config) {
         return failure(config.error());
@@ -269,13 +280,43 @@ CommandResult recordStream(CommandContext& context, const CommandOptions& option
                  limit_degC ? coils.forecasts(*limit_degC) : std::vector<CoilForecast>()});
 }
 
-} // namespace
-
-CommandResult runRecordCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runRecordCommand(CommandContext& context, const RecordOptions& options) {
     if (const Result<void> checked = checkOutput(options); !checked) {
         return failure(checked.error());
     }
     return options.capture.empty() ? recordStream(context, options) : recordCapture(context, options);
+}
+
+void addOptions(CommandSyntax& syntax, RecordOptions& options) {
+    syntax.device(options.device);
+    syntax.option("--duration", options.duration, "Seconds, from the trigger on; not with --capture", "S");
+    syntax.option("--signals", options.signals, "Names, separated by commas", "A,B");
+    syntax.option("--rate", options.rate, "Rows per second, default 100; of a capture 1000", "HZ");
+    syntax.option("--capture", options.capture,
+                  "The board itself records 4096 rows of 1 to 4 signals at the rate of its loop", "A,B");
+    syntax.option("--trigger", options.trigger,
+                  "Begin when it comes: A>LEVEL, A<LEVEL; of a capture also now (default), reference", "T");
+    syntax.option("--pre-trigger", options.preTrigger,
+                  "What is kept from before the trigger, in seconds; of a capture: share of its rows",
+                  "S|RATIO");
+    syntax.option("--wait", options.wait, "Longest wait for the trigger, default 10", "S");
+    syntax.flag("--reconnect", options.isReconnecting,
+                "Wait for a device that is lost and record on, with the gap marked; not with --capture");
+    syntax.recording("--out", options.out, "Recording");
+    syntax.option("--out-mask", options.outMask,
+                  "Instead of --out: a name of its own with {device}, {date}, {time} and {number}",
+                  "FOLDER/MASK");
+}
+
+CommandOutputs outputsOf(const RecordOptions& options) {
+    return {{}, {options.out}};
+}
+
+} // namespace
+
+Command recordCommand() {
+    return makeCommand<RecordOptions>("record", "Record signals into a CSV file; never arms",
+                                      {addOptions, runRecordCommand, outputsOf});
 }
 
 } // namespace halbench::app

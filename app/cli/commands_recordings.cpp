@@ -1,4 +1,6 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
+#include "app/cli/commands_retention.h"
 #include "app/documents/result_history.h"
 #include "app/documents/text/numbers.h"
 #include "app/headless/command_header.h"
@@ -20,7 +22,7 @@ constexpr std::array<const char*, HistoryParameters.size()> Labels = {"viscous c
                                                                       "inertia J"};
 
 /// Newest first; those of one time, as all in virtual time, by name: files' dates play no part.
-std::vector<RecordingEntry> recordingsFor(const CommandOptions& options, const QString& folder) {
+std::vector<RecordingEntry> recordingsFor(const RecordingsOptions& options, const QString& folder) {
     const QStringList words =
         QString::fromStdString(options.search).simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
     std::vector<RecordingEntry> found;
@@ -153,9 +155,7 @@ std::string summaryText(const std::vector<RecordingEntry>& recordings,
     return text;
 }
 
-} // namespace
-
-CommandResult runRecordingsCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runRecordingsCommand(CommandContext& context, const RecordingsOptions& options) {
     if (!options.retain.empty() || options.isDeleted || options.isTrashed) {
         return runRetentionCommand(context, options);
     }
@@ -173,6 +173,23 @@ CommandResult runRecordingsCommand(CommandContext& context, const CommandOptions
         return failure(done.error());
     }
     return ExitCode::Done;
+}
+
+void addOptions(CommandSyntax& syntax, RecordingsOptions& options) {
+    syntax.option("FOLDER", options.input, "Default: the current one");
+    syntax.option("--search", options.search, "Only those in which every word occurs", "WORDS");
+    syntax.option("--retain", options.retain,
+                  "What of the recordings that the program named is beyond N days or N GB; removes nothing",
+                  "Nd,NGB");
+    syntax.flag("--delete", options.isDeleted, "Delete what --retain finds, for good");
+    syntax.flag("--trash", options.isTrashed, "Move what --retain finds to the trash");
+}
+
+} // namespace
+
+Command recordingsCommand() {
+    return makeCommand<RecordingsOptions>("recordings", "List a folder's recordings and identified values",
+                                          {addOptions, runRecordingsCommand});
 }
 
 } // namespace halbench::app

@@ -42,37 +42,37 @@ std::string relayText(const RelayResult& result) {
 
 } // namespace
 
-Result<void> checkRelayOptions(const CommandOptions& options) {
+Result<void> checkRelayOptions(const IdentifyOptions& options) {
     if (!options.isRelay) {
-        return refuseGiven({{"--model", !options.relayModel.empty()},
-                            {"--relay-gain", !options.relayGain.empty()},
-                            {"--relay-current", !options.relayCurrent.empty()},
-                            {"--cycles", !options.cycles.empty()}},
+        return refuseGiven({{"--model", !options.relay.model.empty()},
+                            {"--relay-gain", !options.relay.gain.empty()},
+                            {"--relay-current", !options.relay.current.empty()},
+                            {"--cycles", !options.relay.cycles.empty()}},
                            "belongs to the relay experiment", "add --relay");
     }
     return refuseGiven({{"--frequency", options.isFrequency},
-                        {"--given", !options.given.empty()},
-                        {"--currents", !options.currents.empty()},
-                        {"--directions", !options.directions.empty()},
-                        {"--bare", !options.bare.empty()},
-                        {"--added-inertia", !options.addedInertia.empty()},
-                        {"--excitation", !options.excitation.empty()},
-                        {"--from-hz", !options.fromFrequency.empty()},
-                        {"--to-hz", !options.toFrequency.empty()},
-                        {"--amplitude-deg", !options.amplitude.empty()},
-                        {"--periods", !options.periods.empty()},
-                        {"--coherence", !options.coherence.empty()},
-                        {"--bode", !options.bodeFile.empty()},
-                        {"--calibration", !options.calibrationFile.empty()}},
+                        {"--given", !options.sweep.given.empty()},
+                        {"--currents", !options.sweep.currents.empty()},
+                        {"--directions", !options.sweep.directions.empty()},
+                        {"--bare", !options.sweep.bare.empty()},
+                        {"--added-inertia", !options.sweep.addedInertia.empty()},
+                        {"--excitation", !options.frequency.excitation.empty()},
+                        {"--from-hz", !options.frequency.from.empty()},
+                        {"--to-hz", !options.frequency.to.empty()},
+                        {"--amplitude-deg", !options.frequency.amplitude.empty()},
+                        {"--periods", !options.frequency.periods.empty()},
+                        {"--coherence", !options.frequency.coherence.empty()},
+                        {"--bode", !options.frequency.bodeFile.empty()},
+                        {"--calibration", !options.frequency.calibrationFile.empty()}},
                        "does not belong to the relay experiment", "leave it or --relay out");
 }
 
-Result<RelayConfig> relayConfigFrom(const CommandOptions& options) {
+Result<RelayConfig> relayConfigFrom(const IdentifyOptions& options) {
     RelayConfig config;
     const auto base = optionalNumber("--base-rad-s", options.base);
-    const auto current = optionalNumber("--relay-current", options.relayCurrent);
-    const auto gain = optionalNumber("--relay-gain", options.relayGain);
-    const auto cycles = optionalNumber("--cycles", options.cycles);
+    const auto current = optionalNumber("--relay-current", options.relay.current);
+    const auto gain = optionalNumber("--relay-gain", options.relay.gain);
+    const auto cycles = optionalNumber("--cycles", options.relay.cycles);
     for (const auto* number : {&base, &current, &gain, &cycles}) {
         if (!*number) {
             return failure(number->error());
@@ -81,15 +81,15 @@ Result<RelayConfig> relayConfigFrom(const CommandOptions& options) {
     constexpr double Most = 1e6; // of an int, before the procedure judges it
     const double count = cycles->value_or(config.cycles);
     if (count != std::floor(count) || std::abs(count) > Most) {
-        return failure(ErrorCode::Usage, "--cycles: '" + options.cycles + "' is no whole number",
+        return failure(ErrorCode::Usage, "--cycles: '" + options.relay.cycles + "' is no whole number",
                        "write e.g. 100");
     }
     config.base_rad_s = *base;
     config.limit_A = *current;
     config.gain_A_per_rad = *gain;
     config.cycles = static_cast<int>(count);
-    if (!options.relayModel.empty()) {
-        Result<ModelFile> model = readModelFile(options.relayModel);
+    if (!options.relay.model.empty()) {
+        Result<ModelFile> model = readModelFile(options.relay.model);
         if (!model) {
             return failure(model.error());
         }
@@ -107,7 +107,7 @@ std::string relayPlanText(const RelayPlan& plan) {
         plan.predicted.peak_rad_s, plan.limit_A);
 }
 
-CommandResult runRelayCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runRelayCommand(CommandContext& context, const IdentifyOptions& options) {
     const Result<RelayConfig> config = relayConfigFrom(options);
     if (!config) {
         return failure(config.error());

@@ -1,3 +1,5 @@
+#include "app/cli/commands_retention.h"
+
 #include "app/cli/command_support.h"
 #include "app/documents/result_header.h"
 #include "app/headless/command_header.h"
@@ -24,7 +26,7 @@ struct Outcomes {
     std::optional<Error> error; ///< the first that is no protection
 };
 
-Result<RetentionLimits> limitsFrom(const CommandOptions& options) {
+Result<RetentionLimits> limitsFrom(const RecordingsOptions& options) {
     if (options.retain.empty()) {
         return failure(ErrorCode::Usage, "--delete and --trash belong to --retain",
                        "say what is kept, e.g. --retain 30d");
@@ -39,7 +41,7 @@ Result<RetentionLimits> limitsFrom(const CommandOptions& options) {
     return parseRetention(options.retain);
 }
 
-Outcomes carryOut(CommandContext& context, const RetentionPlan& plan, const CommandOptions& options,
+Outcomes carryOut(CommandContext& context, const RetentionPlan& plan, const RecordingsOptions& options,
                   const QDateTime& now) {
     const bool isDone = options.isDeleted || options.isTrashed;
     Outcomes outcomes{{}, isDone ? plan.before_bytes : plan.after_bytes, {}};
@@ -152,7 +154,7 @@ std::string textOf(const RetentionLimits& limits, const RetentionPlan& plan, con
 
 } // namespace
 
-CommandResult runRetentionCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runRetentionCommand(CommandContext& context, const RecordingsOptions& options) {
     const Result<RetentionLimits> limits = limitsFrom(options);
     if (!limits) {
         return failure(limits.error());

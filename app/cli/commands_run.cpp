@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/text/output_file.h"
 #include "app/experiments/experiment_runner.h"
 #include "app/experiments/run_files.h"
@@ -14,7 +15,15 @@ namespace halbench::app {
 
 namespace {
 
-Result<Experiment> readExperiment(const CommandOptions& options) {
+struct RunOptions {
+    std::string experiment;
+    std::string deviceOverride; ///< --device
+    std::vector<std::string> assignments;
+    bool isDryRun = false;
+    std::string out;
+};
+
+Result<Experiment> readExperiment(const RunOptions& options) {
     const Result<std::string> text = readFile(options.experiment);
     if (!text) {
         return failure(text.error());
@@ -73,7 +82,7 @@ Error withCause(const Error& files, const std::optional<Error>& stoppedBy) {
     return {stoppedBy->code, stoppedBy->message + "; " + files.message, stoppedBy->hint + "; " + files.hint};
 }
 
-CommandResult runAll(CommandContext& context, const CommandOptions& options, const Experiment& experiment,
+CommandResult runAll(CommandContext& context, const RunOptions& options, const Experiment& experiment,
                      devices::Device& device) {
     const ResultHeader opened = headerFor(context, "halbench.run/1", device);
     const RunOutcome outcome = runExperiment(context, device, experiment, opened.seed, options.out);
@@ -115,9 +124,7 @@ Result<std::unique_ptr<devices::Device>> openFor(CommandContext& context, const 
     return waiting;
 }
 
-} // namespace
-
-CommandResult runRunCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runRunCommand(CommandContext& context, const RunOptions& options) {
     const Result<Experiment> experiment = readExperiment(options);
     if (!experiment) {
         return failure(experiment.error());
@@ -138,6 +145,26 @@ CommandResult runRunCommand(CommandContext& context, const CommandOptions& optio
         return failure(ready.error());
     }
     return runAll(context, options, *experiment, **device);
+}
+
+void addOptions(CommandSyntax& syntax, RunOptions& options) {
+    syntax.argument("EXPERIMENT.toml", options.experiment, "Experiment");
+    syntax.option("--device", options.deviceOverride, "Device instead of the file's", "DEVICE");
+    syntax.repeatable("--set", options.assignments,
+                      "Change a value, e.g. step.sweep.given.J=6e-4; repeatable", "KEY=VALUE");
+    syntax.flag("--dry-run", options.isDryRun, "Validate and predict, move nothing");
+    syntax.option("--out", options.out, "Folder of the results", "DIR");
+}
+
+CommandOutputs outputsOf(const RunOptions& options) {
+    return {{}, {}, {}, options.isDryRun ? std::string() : options.out};
+}
+
+} // namespace
+
+Command runCommand() {
+    return makeCommand<RunOptions>("run", "Run an experiment file and judge its checks",
+                                   {addOptions, runRunCommand, outputsOf});
 }
 
 } // namespace halbench::app

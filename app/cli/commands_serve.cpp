@@ -12,12 +12,20 @@ namespace halbench::app {
 
 namespace {
 
+struct ServeOptions {
+    std::string device;
+    std::string tcp, udp;
+    bool usesPty = false;
+    std::string framing, sxiHeader, checksum; ///< of --pty, in the words of a serial address
+    std::string drop, corrupt, latency;
+};
+
 /// 0 where the option was not given.
 Result<double> numberOrNone(const std::string& option, const std::string& text) {
     return text.empty() ? Result<double>(0.0) : numberOption(option, text);
 }
 
-Result<devices::LineFaults> faultsOf(const CommandOptions& options) {
+Result<devices::LineFaults> faultsOf(const ServeOptions& options) {
     const Result<double> drop = numberOrNone("--drop", options.drop);
     const Result<double> corrupt = numberOrNone("--corrupt", options.corrupt);
     const Result<double> latency_ms = numberOrNone("--latency-ms", options.latency);
@@ -30,7 +38,7 @@ Result<devices::LineFaults> faultsOf(const CommandOptions& options) {
 }
 
 /// By the address of who will open the terminal, so that both ends know the same words.
-Result<devices::SxiProfile> profileOf(const CommandOptions& options) {
+Result<devices::SxiProfile> profileOf(const ServeOptions& options) {
     std::string address = "serial:PTY";
     char joint = '?';
     for (const auto& [key, value] : {std::pair{"framing", &options.framing},
@@ -49,7 +57,7 @@ Result<devices::SxiProfile> profileOf(const CommandOptions& options) {
     });
 }
 
-Result<devices::ServeRequest> requestOf(const CommandContext& context, const CommandOptions& options) {
+Result<devices::ServeRequest> requestOf(const CommandContext& context, const ServeOptions& options) {
     using devices::ServedLine;
     const int chosen =
         (options.tcp.empty() ? 0 : 1) + (options.udp.empty() ? 0 : 1) + (options.usesPty ? 1 : 0);
@@ -77,9 +85,7 @@ Result<devices::ServeRequest> requestOf(const CommandContext& context, const Com
     return request;
 }
 
-} // namespace
-
-CommandResult runServeCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runServeCommand(CommandContext& context, const ServeOptions& options) {
     const Result<devices::ServeRequest> request = requestOf(context, options);
     if (!request) {
         return failure(request.error());
@@ -104,6 +110,27 @@ CommandResult runServeCommand(CommandContext& context, const CommandOptions& opt
                                         traffic->dropped, traffic->corrupted));
     }
     return ExitCode::Done;
+}
+
+void addOptions(CommandSyntax& syntax, ServeOptions& options) {
+    syntax.device(options.device);
+    syntax.option("--tcp", options.tcp, "Listen there; port 0 picks one", "HOST:PORT");
+    syntax.option("--udp", options.udp, "Listen there; port 0 picks one", "HOST:PORT");
+    syntax.flag("--pty", options.usesPty, "A pseudo terminal");
+    syntax.option("--framing", options.framing, "With --pty: SYNC and escapes, or none", "on|off");
+    syntax.option("--header", options.sxiHeader, "With --pty: what is in front of a packet",
+                  "len_byte|len_ctr_byte|...");
+    syntax.option("--checksum", options.checksum, "With --pty: what is behind it", "none|byte|word");
+    syntax.option("--drop", options.drop, "Share of the messages that vanish, 0 to 1", "P");
+    syntax.option("--corrupt", options.corrupt, "Share of the messages with a flipped bit, 0 to 1", "P");
+    syntax.option("--latency-ms", options.latency, "Every message arrives so much later, each way", "MS");
+}
+
+} // namespace
+
+Command serveCommand() {
+    return makeCommand<ServeOptions>("serve", "Offer a simulated board to other XCP tools",
+                                     {addOptions, runServeCommand});
 }
 
 } // namespace halbench::app

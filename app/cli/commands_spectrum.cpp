@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/result_header.h"
 #include "app/documents/spectrum_table.h"
 #include "app/documents/text/numbers.h"
@@ -18,6 +19,13 @@
 namespace halbench::app {
 
 namespace {
+
+struct SpectrumOptions {
+    std::string input, out;
+    std::string signal;
+    std::string kind, window, segment, overlap;
+    std::string from, to;
+};
 
 using control::Spectrum;
 using control::SpectrumScale;
@@ -60,7 +68,7 @@ Result<control::WindowShape> windowOption(const std::string& text) {
     return failure(ErrorCode::Usage, "--window: '" + text + "' is no window", "use one of " + known);
 }
 
-Result<control::SpectrumConfig> spectrumConfigFrom(const CommandOptions& options) {
+Result<control::SpectrumConfig> spectrumConfigFrom(const SpectrumOptions& options) {
     const Result<SpectrumScale> scale = kindOption(options.kind);
     const Result<control::WindowShape> window = windowOption(options.window);
     const Result<std::optional<double>> segment = optionalNumber("--segment_s", options.segment);
@@ -87,7 +95,7 @@ struct Source {
     const StreamLayout::Column& signal() const { return part.layout->columns.front(); }
 };
 
-Result<Source> readSource(CommandContext& context, const CommandOptions& options,
+Result<Source> readSource(CommandContext& context, const SpectrumOptions& options,
                           const AbortCheck& checkAbort) {
     const Result<std::optional<double>> from = optionalNumber("--from", options.from);
     const Result<std::optional<double>> to = optionalNumber("--to", options.to);
@@ -181,9 +189,7 @@ std::string summaryText(const Source& source, const Spectrum& spectrum) {
     return text + findingLines(source.header.quality);
 }
 
-} // namespace
-
-CommandResult runSpectrumCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runSpectrumCommand(CommandContext& context, const SpectrumOptions& options) {
     const Result<control::SpectrumConfig> config = spectrumConfigFrom(options);
     if (!config) {
         return failure(config.error());
@@ -211,6 +217,30 @@ CommandResult runSpectrumCommand(CommandContext& context, const CommandOptions& 
         return failure(done.error());
     }
     return ExitCode::Done;
+}
+
+void addOptions(CommandSyntax& syntax, SpectrumOptions& options) {
+    syntax.argument("RECORDING", options.input, "Recording");
+    syntax.option("--signal", options.signal, "Its name or column", "NAME", Presence::Required);
+    syntax.option("--kind", options.kind, "amplitude (default), rms, psd or asd");
+    syntax.option("--window", options.window,
+                  "hann (default), rectangular, hamming, blackman, blackman-harris or flat-top");
+    syntax.option("--segment_s", options.segment, "Length of a segment", "S");
+    syntax.option("--overlap", options.overlap, "Of neighbouring segments, default 0.5", "RATIO");
+    syntax.option("--from", options.from, "First time", "S");
+    syntax.option("--to", options.to, "Last time", "S");
+    syntax.option("--out", options.out, "Spectrum", "FILE.csv", Presence::Required);
+}
+
+CommandOutputs outputsOf(const SpectrumOptions& options) {
+    return {{options.out}, {}};
+}
+
+} // namespace
+
+Command spectrumCommand() {
+    return makeCommand<SpectrumOptions>("spectrum", "Spectrum or power density of a recorded signal",
+                                        {addOptions, runSpectrumCommand, outputsOf});
 }
 
 } // namespace halbench::app

@@ -1,5 +1,7 @@
 #include "app/cli/axis_tuning.h"
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
+#include "app/cli/loop_options.h"
 #include "app/cli/loop_pictures.h"
 #include "app/cli/tuning_apply.h"
 #include "app/cli/tuning_text.h"
@@ -30,7 +32,7 @@ Result<std::optional<double>> target(const std::string& option, const std::strin
     return value;
 }
 
-Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
+Result<control::DesignTargets> targetsFrom(const DesignOptions& options) {
     const Result<std::optional<double>> zeta = target("--zeta", options.zeta);
     const Result<std::optional<double>> omega = target("--omega-rad-s", options.omega);
     const Result<std::optional<double>> bandwidth = target("--bandwidth-hz", options.bandwidth);
@@ -56,13 +58,14 @@ Result<control::DesignTargets> targetsFrom(const CommandOptions& options) {
 }
 
 /// What --gains holds is not designed. Nothing without it.
-Result<std::optional<GainsFile>> gainsOf(const CommandOptions& options) {
+Result<std::optional<GainsFile>> gainsOf(const TuneOptions& options) {
     if (options.gainsFile.empty()) {
         return std::optional<GainsFile>();
     }
+    const DesignOptions& design = options.design;
     for (const std::string* designing :
-         {&options.method, &options.zeta, &options.omega, &options.bandwidth, &options.phaseMargin,
-          &options.maxSensitivity, &options.currentLimit, &options.limitedStep, &options.relayFile}) {
+         {&design.method, &design.zeta, &design.omega, &design.bandwidth, &design.phaseMargin,
+          &design.maxSensitivity, &design.currentLimit, &design.limitedStep, &design.relayFile}) {
         if (!designing->empty()) {
             return failure(ErrorCode::Usage,
                            "--gains holds the gains: --method, its targets and --relay would design others",
@@ -74,7 +77,7 @@ Result<std::optional<GainsFile>> gainsOf(const CommandOptions& options) {
 }
 
 /// Designed, or as the file has them; those are judged in the loop that they were found for.
-Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& source,
+Result<TuneResult> findGains(const TuneOptions& options, const TuningSource& source,
                              const TuneConfig& config) {
     if (!source.gains) {
         return runTune(source.estimate, config);
@@ -98,16 +101,16 @@ Result<TuneResult> findGains(const CommandOptions& options, const TuningSource& 
 }
 
 /// Method and targets, judged before anything moves.
-Result<TuneConfig> tuneConfigFrom(const CommandOptions& options) {
-    const Result<control::DesignTargets> targets = targetsFrom(options);
-    const Result<std::optional<double>> load = target("--disturbance", options.load);
-    const auto pictures = loopPicturesOf(options.pictures);
+Result<TuneConfig> tuneConfigFrom(const TuneOptions& options) {
+    const Result<control::DesignTargets> targets = targetsFrom(options.design);
+    const Result<std::optional<double>> load = target("--disturbance", options.outputs.load);
+    const auto pictures = loopPicturesOf(options.outputs.pictures);
     if (!targets || !load || !pictures) {
         return failure(!targets ? targets.error() : !load ? load.error() : pictures.error());
     }
     TuneConfig config;
     config.load_A = load->value_or(config.load_A);
-    config.method = options.method.empty() ? config.method : options.method;
+    config.method = options.design.method.empty() ? config.method : options.design.method;
     if (options.isLive && options.applyDevice.empty()) {
         return failure(ErrorCode::Usage, "--live belongs to --apply",
                        "name the device: --apply DEVICE --live");
@@ -130,11 +133,11 @@ Result<TuneConfig> tuneConfigFrom(const CommandOptions& options) {
 }
 
 /// The loop that swung is the one that is designed for; that it was of another motor is said.
-Result<std::vector<Finding>> checkRelay(const CommandOptions& options, const TuningSource& source) {
-    if (options.relayFile.empty()) {
+Result<std::vector<Finding>> checkRelay(const TuneOptions& options, const TuningSource& source) {
+    if (options.design.relayFile.empty()) {
         return std::vector<Finding>();
     }
-    const Result<RelayFile> relay = readRelayFile(options.relayFile);
+    const Result<RelayFile> relay = readRelayFile(options.design.relayFile);
     if (!relay) {
         return failure(relay.error());
     }
@@ -143,7 +146,7 @@ Result<std::vector<Finding>> checkRelay(const CommandOptions& options, const Tun
             ErrorCode::InvalidInput,
             fmt::format("--relay: {} was measured at {:.4g} s with {} samples of delay, the design is for "
                         "{:.4g} s and {}",
-                        options.relayFile, relay->timing.period_s, relay->timing.delay_samples,
+                        options.design.relayFile, relay->timing.period_s, relay->timing.delay_samples,
                         source.conditions.timing.period_s, source.conditions.timing.delay_samples),
             "make the experiment on the loop that is designed for");
     }
@@ -164,7 +167,7 @@ struct Proof {
 };
 
 /// The verdict of `result` takes in that of the verification.
-Result<Proof> proveOnDevice(CommandContext& context, const CommandOptions& options, TuningSource& source,
+Result<Proof> proveOnDevice(CommandContext& context, const TuneOptions& options, TuningSource& source,
                             TuneResult& result) {
     const Result<AppliedGains> applied =
         options.isLive ? applyInSteps(context, source, result) : applyGains(context, source, result);
@@ -180,9 +183,9 @@ Result<Proof> proveOnDevice(CommandContext& context, const CommandOptions& optio
 }
 
 /// Designs the loop of a motor: of `device`, identified now, or of the model in a file.
-CommandResult tuneMotor(CommandContext& context, const CommandOptions& options, TuneConfig config,
+CommandResult tuneMotor(CommandContext& context, const TuneOptions& options, TuneConfig config,
                         std::unique_ptr<devices::Device> device) {
-    if (const Result<void> fits = refuseAxis(options); !fits) {
+    if (const Result<void> fits = refuseAxis(options.axis); !fits) {
         return failure(fits.error());
     }
     Result<std::optional<GainsFile>> gains = gainsOf(options);
@@ -215,12 +218,12 @@ CommandResult tuneMotor(CommandContext& context, const CommandOptions& options, 
     if (!opened) {
         return failure(opened.error());
     }
-    if (const auto coded = writeLaw(options.codeFile, {result->law, result->filtered}, result->conditions,
-                                    {result->method, source->header.device});
+    if (const auto coded = writeLaw(options.outputs.codeFile, {result->law, result->filtered},
+                                    result->conditions, {result->method, source->header.device});
         !coded) {
         return failure(coded.error());
     }
-    if (const auto drawn = writeLoopPictures(*loopPicturesOf(options.pictures),
+    if (const auto drawn = writeLoopPictures(*loopPicturesOf(options.outputs.pictures),
                                              {&*result, &source->estimate, {}, {config.draws, config.seed}});
         !drawn) {
         return failure(drawn.error());
@@ -242,9 +245,7 @@ CommandResult tuneMotor(CommandContext& context, const CommandOptions& options, 
     return assessment->isKept ? exitCodeFor(result->quality) : ExitCode::CheckFailed;
 }
 
-} // namespace
-
-CommandResult runTuneCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runTuneCommand(CommandContext& context, const TuneOptions& options) {
     const bool isDevice = devices::parseDeviceUri(options.device).has_value();
     const auto axes =
         isDevice ? Result<std::optional<AxisModelFile>>(std::nullopt) : axisModelIn(options.device);
@@ -270,6 +271,52 @@ CommandResult runTuneCommand(CommandContext& context, const CommandOptions& opti
         return tuneAxesOfDevice(context, options, std::move(device));
     }
     return tuneMotor(context, options, *std::move(config), std::move(device));
+}
+
+void addDesign(CommandSyntax& syntax, DesignOptions& options) {
+    syntax.option("--method", options.method, "recommended (default), pole-placement, bandwidth ...", "M");
+    syntax.option("--zeta", options.zeta, "Damping ratio", "RATIO");
+    syntax.option("--omega-rad-s", options.omega, "Natural frequency", "RAD_S");
+    syntax.option("--bandwidth-hz", options.bandwidth, "Bandwidth", "HZ");
+    syntax.option("--phase-margin-deg", options.phaseMargin, "Phase margin", "DEG");
+    syntax.option("--max-sensitivity", options.maxSensitivity,
+                  "min-iae, min-itae: largest peak of the sensitivity, 1.1 to 3; default 1.7", "RATIO");
+    syntax.option(
+        "--current-limit-a", options.currentLimit,
+        "min-iae, min-itae: current that a step of --step-deg may ask for; default the board's limit", "A");
+    syntax.option("--step-deg", options.limitedStep, "min-iae, min-itae: that step; default 2", "DEG");
+    syntax.option("--relay", options.relayFile, "Ziegler-Nichols: ultimate gain and period as measured",
+                  "RELAY.json");
+}
+
+void addOptions(CommandSyntax& syntax, TuneOptions& options) {
+    syntax.argument("MODEL.json|DEVICE", options.device, "Identified model, or a device to identify");
+    addDesign(syntax, options.design);
+    syntax.option("--gains", options.gainsFile, "Judge and apply these instead of designing some",
+                  "GAINS.json");
+    addCalibration(syntax, options.calibrationFile);
+    syntax.option("--apply", options.applyDevice, "Write the gains to this device", "DEVICE");
+    syntax.flag("--live", options.isLive, "With --apply: in small steps, each proved by a move");
+    syntax.flag("--foreign-model", options.takesForeignModel,
+                "Apply to a real device what was identified on another one");
+    syntax.repeatable("--given", options.given, "Known constant when DEVICE is identified first",
+                      "NAME=VALUE");
+    addModelAxis(syntax, options.axis);
+    syntax.option("--out", options.out, "Gains", "GAINS.json");
+    addLoopOutputs(syntax, options.outputs);
+}
+
+CommandOutputs outputsOf(const TuneOptions& options) {
+    CommandOutputs outputs{{options.outputs.codeFile, options.out}, {}};
+    addPictureFiles(outputs, options.outputs);
+    return outputs;
+}
+
+} // namespace
+
+Command tuneCommand() {
+    return makeCommand<TuneOptions>("tune", "Design gains for an identified motor",
+                                    {addOptions, runTuneCommand, outputsOf});
 }
 
 } // namespace halbench::app

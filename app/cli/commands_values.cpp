@@ -1,4 +1,5 @@
 #include "app/cli/command_support.h"
+#include "app/cli/commands.h"
 #include "app/documents/result_header.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
@@ -11,6 +12,17 @@
 namespace halbench::app {
 
 namespace {
+
+struct GetOptions {
+    std::string device;
+    std::vector<std::string> names;
+};
+
+struct SetOptions {
+    std::string device;
+    std::vector<std::string> names; ///< NAME=VALUE
+    bool isSaved = false;
+};
 
 struct NamedValue {
     std::string name;
@@ -123,9 +135,7 @@ Result<std::vector<ParameterValue>> parseAssignments(const devices::Catalogue& c
     return values;
 }
 
-} // namespace
-
-CommandResult runGetCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runGetCommand(CommandContext& context, const GetOptions& options) {
     const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.device);
     if (!device) {
         return failure(device.error());
@@ -137,13 +147,13 @@ CommandResult runGetCommand(CommandContext& context, const CommandOptions& optio
     return printValues(context, **device, *values);
 }
 
-CommandResult runSetCommand(CommandContext& context, const CommandOptions& options) {
+CommandResult runSetCommand(CommandContext& context, const SetOptions& options) {
     const Result<std::unique_ptr<devices::Device>> opened = openDeviceFor(context, options.device);
     if (!opened) {
         return failure(opened.error());
     }
     devices::Device& device = **opened;
-    if (const Result<void> fits = checkStore(options, device); !fits) {
+    if (const Result<void> fits = checkStore(options.isSaved, options.device, device); !fits) {
         return failure(fits.error());
     }
     const Result<std::vector<ParameterValue>> values = parseAssignments(device.catalogue(), options.names);
@@ -178,6 +188,28 @@ CommandResult runSetCommand(CommandContext& context, const CommandOptions& optio
         return failure(readBack.error());
     }
     return printValues(context, device, *readBack);
+}
+
+void addOptions(CommandSyntax& syntax, GetOptions& options) {
+    syntax.device(options.device);
+    syntax.arguments("NAME", options.names, "Signal or parameter");
+}
+
+void addOptions(CommandSyntax& syntax, SetOptions& options) {
+    syntax.device(options.device);
+    syntax.arguments("NAME=VALUE", options.names, "What to write");
+    syntax.flag("--save", options.isSaved, "Store in the board's non-volatile memory as well");
+}
+
+} // namespace
+
+Command getCommand() {
+    return makeCommand<GetOptions>("get", "Read signals and parameters", {addOptions, runGetCommand});
+}
+
+Command setCommand() {
+    return makeCommand<SetOptions>("set", "Write parameters in one transaction and read them back",
+                                   {addOptions, runSetCommand});
 }
 
 } // namespace halbench::app

@@ -1,4 +1,5 @@
-#include "app/cli/command_support.h"
+#include "app/cli/identify_options.h"
+
 #include "app/documents/model_file.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
@@ -9,48 +10,6 @@
 #include <algorithm>
 
 namespace halbench::app {
-
-namespace {
-
-std::string textOf(const IdentifyResult& result) {
-    std::string text;
-    text += estimateLine("inertia J", result.inertia);
-    text += estimateLine("viscous c", result.viscousDamping);
-    text += estimateLine("Coulomb Kf", result.coulombFriction);
-    text += estimateLine("torque phi", result.torqueConstant);
-    for (const auto& [name, ratio] : result.ratios) {
-        text += estimateLine(name, ratio);
-    }
-    if (result.asymmetry) {
-        text += estimateLine("asymmetry", *result.asymmetry);
-    }
-    if (result.rSquared) {
-        text += fmt::format("{:<14} {:.5f}\n", "R squared", *result.rSquared);
-    }
-    return text;
-}
-
-std::string textOf(const AxesIdentifyResult& result) {
-    std::string text;
-    for (const IdentifiedAxis& axis : result.model.axes) {
-        text += estimateLine(axis.axis + " damping rate", axis.dampingRate);
-        text += estimateLine(axis.axis + " gain", axis.accelerationGain);
-        text += estimateLine(axis.axis + " breakaway", axis.breakawayEffort);
-    }
-    for (const std::vector<NamedEstimate>* list : {&result.ratios, &result.constants}) {
-        for (const NamedEstimate& each : *list) {
-            text += estimateLine(each.name, each.estimate);
-        }
-    }
-    return text;
-}
-
-} // namespace
-
-std::string identificationText(const IdentifyOutcome& outcome) {
-    return std::visit([](const auto& result) { return textOf(result); }, outcome) +
-           findingLines(qualityOf(outcome));
-}
 
 namespace {
 
@@ -99,7 +58,7 @@ Result<void> takeGiven(const std::vector<std::string>& texts, const Actuator& ac
     return {};
 }
 
-Result<std::optional<AddedInertia>> addedFrom(const CommandOptions& options) {
+Result<std::optional<AddedInertia>> addedFrom(const SweepOptions& options) {
     if (options.bare.empty() && options.addedInertia.empty()) {
         return std::optional<AddedInertia>{};
     }
@@ -120,7 +79,8 @@ Result<std::optional<AddedInertia>> addedFrom(const CommandOptions& options) {
 
 } // namespace
 
-Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options, const Actuator& actuator) {
+Result<IdentifyConfig> identifyConfigFrom(const SweepOptions& options, const std::string& axis,
+                                          const Actuator& actuator) {
     const Result<CurrentSweep> sweep = sweepFrom(options.currents);
     if (!sweep) {
         return failure(sweep.error());
@@ -139,7 +99,7 @@ Result<IdentifyConfig> identifyConfigFrom(const CommandOptions& options, const A
     }
     config.sweep = *sweep;
     config.directions = *directions;
-    config.axis = options.axis;
+    config.axis = axis;
     config.added = *std::move(added);
     return config;
 }

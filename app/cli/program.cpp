@@ -1,20 +1,17 @@
 #include "app/cli/program.h"
 
-#include "app/analyses/registry/analyses.h"
-#include "app/cli/commands.h"
+#include "app/cli/command_line.h"
 #include "app/documents/result_header.h"
-#include "app/headless/command_outputs.h"
 
 #include <QtCore/QLocale>
 
-#include <array>
 #include <exception>
 
 namespace halbench::app {
 
 namespace {
 
-CommandResult printVersion(CommandContext& context, const CommandOptions&) {
+CommandResult printVersion(CommandContext& context) {
     context.console.print("halbench " HALBENCH_VERSION "\n");
     JsonValue document = JsonValue::object();
     document.set("schema", "halbench.version/1").set("halbench", HALBENCH_VERSION);
@@ -24,34 +21,6 @@ CommandResult printVersion(CommandContext& context, const CommandOptions&) {
     return ExitCode::Done;
 }
 
-struct CommandEntry {
-    const char* name;
-    CommandResult (*run)(CommandContext&, const CommandOptions&);
-};
-
-constexpr std::array Commands = {
-    CommandEntry{"version", printVersion},
-    CommandEntry{"devices", runDevicesCommand},
-    CommandEntry{"run", runRunCommand},
-    CommandEntry{"identify", runIdentifyCommand},
-    CommandEntry{"calibrate", runCalibrateCommand},
-    CommandEntry{"tune", runTuneCommand},
-    CommandEntry{"analyse", runAnalyseCommand},
-    CommandEntry{"move", runMoveCommand},
-    CommandEntry{"describe", runDescribeCommand},
-    CommandEntry{"get", runGetCommand},
-    CommandEntry{"set", runSetCommand},
-    CommandEntry{"config", runConfigCommand},
-    CommandEntry{"serve", runServeCommand},
-    CommandEntry{"record", runRecordCommand},
-    CommandEntry{"convert", runConvertCommand},
-    CommandEntry{"spectrum", runSpectrumCommand},
-    CommandEntry{"plot", runPlotCommand},
-    CommandEntry{"import", runImportCommand},
-    CommandEntry{"recordings", runRecordingsCommand},
-    CommandEntry{"overlay", runOverlayCommand},
-};
-
 CommandResult dispatch(CommandContext& context, const CommandLine& line) {
     if (line.command == "help") {
         if (context.global.style.isJson) {
@@ -60,16 +29,7 @@ CommandResult dispatch(CommandContext& context, const CommandLine& line) {
         context.console.print(line.helpText);
         return ExitCode::Done;
     }
-    for (const CommandEntry& entry : Commands) {
-        if (line.command == entry.name) {
-            return entry.run(context, line.options);
-        }
-    }
-    if (const Analysis* analysis = findAnalysis(line.command)) {
-        return runAnalysisCommand(context, *analysis, line.options);
-    }
-    return failure(ErrorCode::Usage, "'" + line.command + "' is not built in this version",
-                   "see 'halbench --help'");
+    return line.command == "version" ? printVersion(context) : line.run(context);
 }
 
 CommandResult runArguments(const std::vector<std::string>& arguments, Console& console,
@@ -79,7 +39,7 @@ CommandResult runArguments(const std::vector<std::string>& arguments, Console& c
         return failure(line.error());
     }
     console.setStyle(line->global.style);
-    if (const Result<void> free = checkOutputs(*line); !free) {
+    if (const Result<void> free = checkOutputs(line->outputs, line->global.mayOverwrite); !free) {
         return failure(free.error());
     }
     CommandContext context{line->global, console, interruptSignal};

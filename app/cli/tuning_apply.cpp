@@ -18,7 +18,7 @@ namespace {
 
 /// A real device does not get the gains of another motor without a word of its user; a simulated one cannot
 /// be harmed.
-Result<void> admitMotor(const CommandOptions& options, const std::optional<devices::DeviceInfo>& identified,
+Result<void> admitMotor(const TuneOptions& options, const std::optional<devices::DeviceInfo>& identified,
                         const devices::DeviceInfo& device) {
     const std::optional<Finding> foreign = foreignMotor(identified, device);
     if (!foreign || device.isSimulated || options.takesForeignModel) {
@@ -29,7 +29,7 @@ Result<void> admitMotor(const CommandOptions& options, const std::optional<devic
 }
 
 /// Gains that were found for another device: likewise.
-Result<void> admitGains(const CommandOptions& options, const std::optional<GainsFile>& gains,
+Result<void> admitGains(const TuneOptions& options, const std::optional<GainsFile>& gains,
                         const devices::DeviceInfo& device) {
     const std::optional<Finding> foreign = gains ? foreignGains(*gains, device) : std::nullopt;
     if (!foreign || device.isSimulated || options.takesForeignModel) {
@@ -40,7 +40,7 @@ Result<void> admitGains(const CommandOptions& options, const std::optional<Gains
 }
 
 /// A model of another loop than the device has: likewise.
-Result<void> admitTiming(const CommandOptions& options, const MotorEstimate& motor,
+Result<void> admitTiming(const TuneOptions& options, const MotorEstimate& motor,
                          const control::LoopTiming& device) {
     const Result<void> same = checkTimingOfModel(motor.timing, device);
     if (same || options.takesForeignModel) {
@@ -51,8 +51,7 @@ Result<void> admitTiming(const CommandOptions& options, const MotorEstimate& mot
 }
 
 /// The device's law has what these gains need; then nothing has to be said of that any more.
-Result<void> admitLaw(const CommandOptions& options, TuneResult& result,
-                      const devices::Catalogue& catalogue) {
+Result<void> admitLaw(const TuneOptions& options, TuneResult& result, const devices::Catalogue& catalogue) {
     if (!result.filtered) {
         return {};
     }
@@ -72,7 +71,7 @@ Result<void> admitLaw(const CommandOptions& options, TuneResult& result,
 }
 
 /// Opened, once it is this motor, or another one with a word of the user.
-Result<void> openOther(CommandContext& context, const CommandOptions& options, TuningSource& source) {
+Result<void> openOther(CommandContext& context, const TuneOptions& options, TuningSource& source) {
     Result<std::unique_ptr<devices::Device>> device =
         openToMove(context, options.applyDevice, [&](const devices::DeviceInfo& opened) {
             const Result<void> motor = admitMotor(options, source.header.device, opened);
@@ -103,7 +102,7 @@ Result<TuneResult> judgeFor(const TuningSource& source, const TuneResult& before
 
 } // namespace
 
-Result<void> openToApply(CommandContext& context, const CommandOptions& options, TuningSource& source,
+Result<void> openToApply(CommandContext& context, const TuneOptions& options, TuningSource& source,
                          TuneResult& result) {
     if (options.applyDevice.empty()) {
         return {};

@@ -12,7 +12,7 @@ namespace halbench::app {
 /// The device of --apply; without the option nothing. What it is not of this motor, or does not have of the
 /// timing that was designed for, stands among the findings of the result, which is judged again for the
 /// latter. Errors: ConsentMissing, of the device; Refused (what is refused there is not written).
-Result<void> openToApply(CommandContext& context, const CommandOptions& options, TuningSource& source,
+Result<void> openToApply(CommandContext& context, const TuneOptions& options, TuningSource& source,
                          TuneResult& result);
 
 /// An apply as it is printed and written.

@@ -1,6 +1,6 @@
 #include "app/cli/tuning_source.h"
 
-#include "app/cli/command_support.h"
+#include "app/cli/identify_options.h"
 #include "app/headless/command_header.h"
 #include "app/tuning/loop_conditions.h"
 #include "control/design/design_targets.h"
@@ -40,9 +40,11 @@ Result<TuningSource> sourceFromFile(const CommandContext& context, const std::st
     return source;
 }
 
-Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOptions& options,
+Result<TuningSource> sourceFromDevice(CommandContext& context, const TuneOptions& options,
                                       const TuneConfig& wanted, std::unique_ptr<devices::Device> device) {
-    Result<IdentifyConfig> config = identifyConfigFrom(options, actuatorOf(device->info().model));
+    SweepOptions sweep;
+    sweep.given = options.given;
+    Result<IdentifyConfig> config = identifyConfigFrom(sweep, options.axis, actuatorOf(device->info().model));
     if (!config) {
         return failure(config.error());
     }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/cli/commands.h"
+#include "app/cli/loop_options.h"
 #include "app/documents/model_file.h"
 #include "app/documents/result_header.h"
-#include "app/headless/command_options.h"
+#include "app/headless/command_context.h"
 #include "app/procedures/tune/tune.h"
 
 #include <memory>
@@ -25,7 +25,7 @@ struct TuningSource {
 Result<TuningSource> sourceFromFile(const CommandContext& context, const std::string& path);
 /// The motor of an open device with one axis, identified now; targets are judged before anything moves.
 /// Errors: of the options, of the device, of the identification, of a target that this board cannot have.
-Result<TuningSource> sourceFromDevice(CommandContext& context, const CommandOptions& options,
+Result<TuningSource> sourceFromDevice(CommandContext& context, const TuneOptions& options,
                                       const TuneConfig& wanted, std::unique_ptr<devices::Device> device);
 
 } // namespace halbench::app

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/documents/result_header.h"
-#include "app/headless/command_options.h"
+#include "app/headless/global_options.h"
 #include "app/procedures/base/procedure.h"
 #include "devices/open/open_device.h"
 

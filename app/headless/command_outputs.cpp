@@ -22,15 +22,11 @@ bool isThere(const std::string& path) {
     return fs::is_regular_file(path, problem);
 }
 
-bool isInput(const CommandLine& line, const std::string& path) {
-    std::vector<std::string> inputs = line.options.names;
-    inputs.push_back(line.options.input);
-    // These say themselves that they would replace what they read.
-    const bool saysSo = line.command == "convert" || line.command == "overlay" || line.command == "import";
-    return saysSo && std::any_of(inputs.begin(), inputs.end(), [&](const auto& input) {
-               std::error_code missing;
-               return fs::equivalent(path, input, missing);
-           });
+bool isInput(const CommandOutputs& outputs, const std::string& path) {
+    return std::any_of(outputs.inputs.begin(), outputs.inputs.end(), [&](const auto& input) {
+        std::error_code missing;
+        return fs::equivalent(path, input, missing);
+    });
 }
 
 /// A folder with what a run writes, and nothing else.
@@ -64,44 +60,26 @@ Result<void> checkFolder(const std::string& folder, bool mayOverwrite) {
 
 } // namespace
 
-std::vector<std::string> outputsOf(const CommandLine& line) {
-    const CommandOptions& options = line.options;
-    std::vector<std::string> files = {options.recordFile, options.bodeFile, options.stepFile,
-                                      options.polesFile,  options.codeFile, options.whatIfFile};
-    if (line.command != "run") {
-        files.push_back(options.out);
-    }
-    if (line.command == "config" && options.what == "save") {
-        files.push_back(options.input);
-    }
-    for (const std::string& picture : options.pictures) { // VIEW=FILE
-        files.push_back(picture.substr(std::min(picture.find('='), picture.size() - 1) + 1));
-    }
-    std::erase(files, "");
-    const std::size_t count = files.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool isRecording = files[i] == options.recordFile || line.command == "record" ||
-                                 line.command == "move" || line.command == "convert" ||
-                                 line.command == "import" || line.command == "overlay";
-        if (isRecording && fs::path(files[i]).extension() == ".csv") {
-            files.push_back(devices::metaPathOf(files[i]));
+std::vector<std::string> writtenFiles(const CommandOutputs& outputs) {
+    std::vector<std::string> files = outputs.recordings;
+    files.insert(files.end(), outputs.files.begin(), outputs.files.end());
+    for (const std::string& recording : outputs.recordings) {
+        if (fs::path(recording).extension() == ".csv") {
+            files.push_back(devices::metaPathOf(recording));
         }
     }
+    std::erase(files, "");
     return files;
 }
 
-Result<void> checkOutputs(const CommandLine& line) {
-    if (line.command == "run") {
-        return line.options.isDryRun ? Result<void>()
-                                     : checkFolder(line.options.out, line.global.mayOverwrite);
-    }
-    for (const std::string& file : outputsOf(line)) {
-        if (!line.global.mayOverwrite && isThere(file) && !isInput(line, file)) {
+Result<void> checkOutputs(const CommandOutputs& outputs, bool mayOverwrite) {
+    for (const std::string& file : writtenFiles(outputs)) {
+        if (!mayOverwrite && isThere(file) && !isInput(outputs, file)) {
             return failure(ErrorCode::Usage, fmt::format("'{}' exists already", file),
                            "use another name, or overwrite it with --force");
         }
     }
-    return {};
+    return checkFolder(outputs.folder, mayOverwrite);
 }
 
 } // namespace halbench::app

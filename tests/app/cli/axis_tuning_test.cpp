@@ -38,10 +38,8 @@ TEST(AxisTuning, takesTheModelsOfAxesAndLeavesAllOtherFiles) {
 }
 
 TEST(AxisTuning, aMotorHasNoAxisToChoose) {
-    CommandOptions options;
-    EXPECT_TRUE(refuseAxis(options));
-    options.axis = "x";
-    EXPECT_EQ(refuseAxis(options).error().code, ErrorCode::Usage);
+    EXPECT_TRUE(refuseAxis({}));
+    EXPECT_EQ(refuseAxis("x").error().code, ErrorCode::Usage);
 }
 
 TEST(AxisTuning, textSaysGainsMarginsAndVerdictInTheUnitsOfTheAxis) {

@@ -1,4 +1,4 @@
-#include "app/headless/command_options.h"
+#include "app/cli/command_line.h"
 
 #include <gmock/gmock.h>
 
@@ -6,14 +6,14 @@ namespace halbench::app {
 
 TEST(CommandLineTest, globalFlagsStandBeforeOrAfterTheCommand) {
     for (const std::vector<std::string>& arguments :
-         {std::vector<std::string>{"--json", "--seed", "7", "--arm", "get", "sim:htm", "position", "gain.kp"},
-          std::vector<std::string>{"get", "sim:htm", "position", "gain.kp", "--json", "--arm", "--seed", "7"},
-          std::vector<std::string>{"get", "--seed=7", "sim:htm", "--json", "position", "gain.kp", "--arm"}}) {
+         {std::vector<std::string>{"--json", "--seed", "7", "--arm", "convert", "in.csv", "out.csv"},
+          std::vector<std::string>{"convert", "in.csv", "out.csv", "--json", "--arm", "--seed", "7"},
+          std::vector<std::string>{"convert", "--seed=7", "in.csv", "--json", "out.csv", "--arm"}}) {
         const Result<CommandLine> line = parseCommandLine(arguments);
         ASSERT_TRUE(line) << line.error().message;
-        EXPECT_EQ(line->command, "get");
-        EXPECT_EQ(line->options.device, "sim:htm");
-        EXPECT_EQ(line->options.names, (std::vector<std::string>{"position", "gain.kp"}));
+        EXPECT_EQ(line->command, "convert");
+        EXPECT_EQ(line->outputs.inputs, (std::vector<std::string>{"in.csv"}));
+        EXPECT_EQ(line->outputs.recordings, (std::vector<std::string>{"out.csv"}));
         EXPECT_TRUE(line->global.style.isJson);
         EXPECT_TRUE(line->global.mayArm);
         EXPECT_EQ(line->global.seed, 7u);
@@ -22,10 +22,27 @@ TEST(CommandLineTest, globalFlagsStandBeforeOrAfterTheCommand) {
 
 TEST(CommandLineTest, repeatedOptionsDoNotSwallowWhatFollows) {
     const Result<CommandLine> line =
-        parseCommandLine({"identify", "--given", "J=1e-4", "--given", "phi=1e-2", "sim:htm"});
+        parseCommandLine({"convert", "--derive", "a = b", "in.csv", "--derive", "c = d", "out.csv"});
     ASSERT_TRUE(line) << line.error().message;
-    EXPECT_EQ(line->options.given, (std::vector<std::string>{"J=1e-4", "phi=1e-2"}));
-    EXPECT_EQ(line->options.device, "sim:htm");
+    EXPECT_EQ(line->outputs.inputs, (std::vector<std::string>{"in.csv"}));
+    EXPECT_EQ(line->outputs.recordings, (std::vector<std::string>{"out.csv"}));
+    EXPECT_TRUE(parseCommandLine({"identify", "--given", "J=1e-4", "--given", "phi=1e-2", "sim:htm"}));
+}
+
+TEST(CommandLineTest, anOverlayTakesAnyNumberOfRecordings) {
+    const Result<CommandLine> line =
+        parseCommandLine({"overlay", "a.csv", "b.csv", "c.csv", "--signals", "position", "--out", "all.csv"});
+    ASSERT_TRUE(line) << line.error().message;
+    EXPECT_EQ(line->outputs.inputs, (std::vector<std::string>{"a.csv", "b.csv", "c.csv"}));
+    EXPECT_FALSE(parseCommandLine({"overlay", "a.csv", "b.csv"}));
+}
+
+TEST(CommandLineTest, everyLineHasOptionsOfItsOwn) {
+    const Result<CommandLine> first = parseCommandLine({"plot", "a.csv", "--out", "a.svg"});
+    const Result<CommandLine> second = parseCommandLine({"plot", "b.csv", "--out", "b.svg"});
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(first->outputs.files, (std::vector<std::string>{"a.svg"}));
+    EXPECT_EQ(second->outputs.files, (std::vector<std::string>{"b.svg"}));
 }
 
 TEST(CommandLineTest, withoutArgumentsItIsHelp) {

@@ -15,14 +15,14 @@ TEST(FrequencyOptions, whatIsNotGivenKeepsItsDefault) {
 }
 
 TEST(FrequencyOptions, readsEveryOption) {
-    CommandOptions options;
-    options.excitation = "stepped-sine";
-    options.fromFrequency = "1";
-    options.toFrequency = "20";
+    IdentifyOptions options;
+    options.frequency.excitation = "stepped-sine";
+    options.frequency.from = "1";
+    options.frequency.to = "20";
     options.base = "-6";
-    options.amplitude = "0.5";
-    options.periods = "16";
-    options.coherence = "0.8";
+    options.frequency.amplitude = "0.5";
+    options.frequency.periods = "16";
+    options.frequency.coherence = "0.8";
     const Result<FrequencyConfig> config = frequencyConfigFrom(options);
     ASSERT_TRUE(config) << config.error().message;
     EXPECT_EQ(config->excitation, Excitation::SteppedSine);
@@ -35,38 +35,38 @@ TEST(FrequencyOptions, readsEveryOption) {
 }
 
 TEST(FrequencyOptions, refusesWhatIsNoNumberOrName) {
-    CommandOptions options;
-    options.periods = "8.5";
+    IdentifyOptions options;
+    options.frequency.periods = "8.5";
     EXPECT_EQ(frequencyConfigFrom(options).error().code, ErrorCode::Usage);
     options = {};
     options.base = "fast";
     EXPECT_EQ(frequencyConfigFrom(options).error().code, ErrorCode::Usage);
     options = {};
-    options.excitation = "noise";
+    options.frequency.excitation = "noise";
     EXPECT_EQ(frequencyConfigFrom(options).error().code, ErrorCode::Usage);
 }
 
 TEST(FrequencyOptions, belongToFrequencyAlone) {
-    CommandOptions options;
+    IdentifyOptions options;
     EXPECT_TRUE(checkFrequencyOptions(options));
-    options.toFrequency = "20";
+    options.frequency.to = "20";
     EXPECT_EQ(checkFrequencyOptions(options).error().code, ErrorCode::Usage);
     options.isFrequency = true;
     EXPECT_TRUE(checkFrequencyOptions(options));
-    options.given = {"J=5.5e-4"};
+    options.sweep.given = {"J=5.5e-4"};
     const Result<void> mixed = checkFrequencyOptions(options);
     ASSERT_FALSE(mixed);
     EXPECT_NE(mixed.error().message.find("--given"), std::string::npos);
 }
 
 TEST(FrequencyOptions, thoseOfSeveralAxesAreRead) {
-    CommandOptions options;
+    IdentifyOptions options;
     options.axis = "y";
-    options.fromFrequency = "2";
-    options.toFrequency = "120";
-    options.effortRatio = "0.1";
-    options.periods = "64";
-    options.excitation = "multisine";
+    options.frequency.from = "2";
+    options.frequency.to = "120";
+    options.frequency.effortRatio = "0.1";
+    options.frequency.periods = "64";
+    options.frequency.excitation = "multisine";
     const Result<AxesFrequencyConfig> config = axesFrequencyConfigFrom(options);
     ASSERT_TRUE(config) << config.error().message;
     EXPECT_EQ(config->axis, "y");
@@ -78,17 +78,19 @@ TEST(FrequencyOptions, thoseOfSeveralAxesAreRead) {
 }
 
 TEST(FrequencyOptions, severalAxesRefuseThoseOfAMotor) {
-    for (std::string CommandOptions::*text :
-         {&CommandOptions::base, &CommandOptions::amplitude, &CommandOptions::calibrationFile,
-          &CommandOptions::excitation}) {
-        CommandOptions options;
-        options.*text = "chirp";
+    for (std::string FrequencyOptions::*text :
+         {&FrequencyOptions::amplitude, &FrequencyOptions::calibrationFile, &FrequencyOptions::excitation}) {
+        IdentifyOptions options;
+        options.frequency.*text = "chirp";
         const auto refused = axesFrequencyConfigFrom(options);
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().code, ErrorCode::Usage);
     }
-    CommandOptions options;
-    options.periods = "7.5";
+    IdentifyOptions turning;
+    turning.base = "5";
+    EXPECT_EQ(axesFrequencyConfigFrom(turning).error().code, ErrorCode::Usage);
+    IdentifyOptions options;
+    options.frequency.periods = "7.5";
     EXPECT_EQ(axesFrequencyConfigFrom(options).error().code, ErrorCode::Usage);
 }
 

@@ -66,38 +66,38 @@ TEST(RelayFile, refusesWhatIsNoExperimentAndNamesThePlace) {
 }
 
 TEST(RelayOptions, readsEveryOption) {
-    CommandOptions options;
+    IdentifyOptions options;
     const Result<RelayConfig> plain = relayConfigFrom(options);
     ASSERT_TRUE(plain);
     EXPECT_EQ(plain->cycles, 100);
     EXPECT_FALSE(plain->base_rad_s || plain->limit_A || plain->gain_A_per_rad || plain->motor);
     options.base = "-6";
-    options.relayCurrent = "3.2";
-    options.relayGain = "24";
-    options.cycles = "60";
+    options.relay.current = "3.2";
+    options.relay.gain = "24";
+    options.relay.cycles = "60";
     const Result<RelayConfig> config = relayConfigFrom(options);
     ASSERT_TRUE(config) << config.error().message;
     EXPECT_EQ(config->base_rad_s, -6.0);
     EXPECT_EQ(config->limit_A, 3.2);
     EXPECT_EQ(config->gain_A_per_rad, 24.0);
     EXPECT_EQ(config->cycles, 60);
-    options.cycles = "60.5";
+    options.relay.cycles = "60.5";
     EXPECT_EQ(relayConfigFrom(options).error().code, ErrorCode::Usage);
-    options.cycles = "60";
-    options.relayModel = "no-such-file.json";
+    options.relay.cycles = "60";
+    options.relay.model = "no-such-file.json";
     EXPECT_EQ(relayConfigFrom(options).error().code, ErrorCode::FileSystem);
 }
 
 TEST(RelayOptions, belongToTheRelayAlone) {
-    CommandOptions options;
+    IdentifyOptions options;
     EXPECT_TRUE(checkRelayOptions(options));
-    options.cycles = "60";
+    options.relay.cycles = "60";
     EXPECT_EQ(checkRelayOptions(options).error().code, ErrorCode::Usage);
     options.isRelay = true;
     EXPECT_TRUE(checkRelayOptions(options));
     options.base = "6";
     EXPECT_TRUE(checkRelayOptions(options));
-    options.toFrequency = "20";
+    options.frequency.to = "20";
     const Result<void> mixed = checkRelayOptions(options);
     ASSERT_FALSE(mixed);
     EXPECT_NE(mixed.error().message.find("--to-hz"), std::string::npos);

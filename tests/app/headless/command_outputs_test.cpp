@@ -1,4 +1,4 @@
-#include "app/headless/command_outputs.h"
+#include "app/cli/command_line.h"
 
 #include <QtCore/QTemporaryDir>
 
@@ -20,7 +20,7 @@ protected:
     static Result<void> check(const std::vector<std::string>& arguments) {
         const auto line = parseCommandLine(arguments);
         EXPECT_TRUE(line) << line.error().message;
-        return checkOutputs(*line);
+        return checkOutputs(line->outputs, line->global.mayOverwrite);
     }
 
 private:

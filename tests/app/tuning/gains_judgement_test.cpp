@@ -144,7 +144,7 @@ TEST_F(TuningParts, whatIsDesignedForNoDelayIsJudgedWithThatOfTheDevice) {
     TuningSource source;
     source.estimate = published();
     TuneResult result = designed("recommended");
-    CommandOptions options;
+    TuneOptions options;
     options.applyDevice = "sim:htm?delay_samples=2";
     const auto opened = openToApply(context, options, source, result);
     const auto has = [&](const char* code) {
@@ -168,7 +168,7 @@ TEST_F(TuningParts, aModelOfAnotherTimingIsRefusedByTheDevice) {
         source.estimate = published();
         source.estimate.timing = measured;
         TuneResult result = designed("recommended");
-        CommandOptions options;
+        TuneOptions options;
         options.applyDevice = device;
         const auto opened = openToApply(context, options, source, result);
         EXPECT_EQ(bool(opened), isSame) << device;
