@@ -58,11 +58,12 @@ Eigen::MatrixXd totalCovariance(const MotorRatios& data) {
     return total;
 }
 
-// Constants tied to a given one by measured ratios.
+// Constants tied to a given one by measured ratios. Zero times any ratio is zero: a constant that is given as
+// none gives the others no scale.
 std::array<bool, MotorConstants> tiedToGiven(const MotorRatios& data, const ConstantValues& given) {
     std::array<bool, MotorConstants> tied{};
     for (int i = 0; i < MotorConstants; ++i) {
-        tied[static_cast<std::size_t>(i)] = given[static_cast<std::size_t>(i)].has_value();
+        tied[static_cast<std::size_t>(i)] = given[static_cast<std::size_t>(i)].value_or(0.0) != 0.0;
     }
     for (int pass = 0; pass < MotorConstants; ++pass) {
         for (const MotorRatio& ratio : data.ratios) {
@@ -304,6 +305,32 @@ void addCovariance(JointEstimate& joint, const MotorRatios& data, const Absolute
     joint.covariance = gradient * all * gradient.transpose();
 }
 
+// The worst ratio of a constant that is given as none, in standard errors squared; those that another given
+// constant ties are judged with it.
+std::optional<double> misfitOfNone(const MotorRatios& data, const ConstantValues& given) {
+    const auto tied = tiedToGiven(data, given);
+    const Eigen::MatrixXd all = totalCovariance(data);
+    std::optional<double> worst;
+    for (std::size_t i = 0; i < data.ratios.size(); ++i) {
+        const auto numerator = static_cast<std::size_t>(index(data.ratios[i].numerator));
+        const auto row = static_cast<Eigen::Index>(i);
+        if (given[numerator] == 0.0 && !tied[numerator] && all(row, row) > 0.0) {
+            const double misfit = data.ratios[i].value * data.ratios[i].value / all(row, row);
+            worst = std::fmax(worst.value_or(0.0), misfit);
+        }
+    }
+    return worst;
+}
+
+Consistency consistencyOf(const MotorRatios& data, double misfit, int tests) {
+    double freedom = Infinite;
+    for (const ErrorPart& part : data.errors) {
+        freedom = std::fmin(freedom, part.freedom);
+    }
+    return {std::isinf(freedom) ? chiSquareTail(misfit, tests) : fisherTail(misfit / tests, tests, freedom),
+            tests};
+}
+
 } // namespace
 
 const char* estimateSourceName(EstimateSource source) {
@@ -388,14 +415,9 @@ JointEstimate resolveConstants(const MotorRatios& data, const GivenConstants& gi
     addRatios(joint, data, solution);
     addCovariance(joint, data, solution);
     if (solution.freedom > 0) {
-        double freedom = Infinite;
-        for (const ErrorPart& part : data.errors) {
-            freedom = std::fmin(freedom, part.freedom);
-        }
-        joint.consistency = Consistency{
-            std::isinf(freedom) ? chiSquareTail(solution.misfit, solution.freedom)
-                                : fisherTail(solution.misfit / solution.freedom, solution.freedom, freedom),
-            solution.freedom};
+        joint.consistency = consistencyOf(data, solution.misfit, solution.freedom);
+    } else if (const std::optional<double> misfit = misfitOfNone(data, values)) {
+        joint.consistency = consistencyOf(data, *misfit, 1);
     }
     return joint;
 }

@@ -81,13 +81,13 @@ struct JointEstimate {
     std::map<std::string, Estimate> ratios; ///< c_over_J, Kf_over_J, phi_over_J, c_over_phi, Kf_over_phi
     std::vector<std::string> covarianceNames;
     Eigen::MatrixXd covariance;
-    std::optional<Consistency> consistency; ///< when more was given than is needed
+    std::optional<Consistency> consistency; ///< when more was given than is needed, or none of one
 };
 
 /// Absolute values from ratios and given constants by generalised least squares on N - r D = 0. A constant
-/// comes out only when a chain of measured ratios ties it to a given one (resources/help/htm-theory.md
-/// section 7.1); the intervals combine the causes of error with Welch and Satterthwaite's degrees of freedom.
-/// An inertia or torque constant known worse than 30 % counts as not identifiable.
+/// comes out only when measured ratios tie it to a given one that is not zero (help, htm-theory.md 7.1); the
+/// intervals combine the causes of error with Welch and Satterthwaite's degrees of freedom. An inertia or
+/// torque constant known worse than 30 % counts as not identifiable.
 JointEstimate resolveConstants(const MotorRatios& data, const GivenConstants& given);
 
 /// Short and long names and units by constant: "J", "inertia", "kg*m^2".

@@ -104,6 +104,34 @@ TEST(ResolveConstants, testsWhetherInertiaAndTorqueConstantFitTogether) {
     EXPECT_LT(bad.consistency->probability, 1e-4);
 }
 
+TEST(ResolveConstants, noFrictionGivesTheOthersNoScale) {
+    for (const auto& none : {&GivenConstants::coulombFriction_Nm, &GivenConstants::viscousDamping_Nm_s}) {
+        GivenConstants given;
+        given.*none = 0.0;
+        const JointEstimate joint = resolveConstants(transients(0.01), given);
+        for (const Estimate& constant : joint.constants) {
+            EXPECT_NE(constant.source, EstimateSource::Identified);
+        }
+        // the ratio is 100 standard errors from zero
+        ASSERT_TRUE(joint.consistency);
+        EXPECT_LT(joint.consistency->probability, 1e-12);
+    }
+}
+
+TEST(ResolveConstants, noFrictionGivenFitsAMotorThatShowsNone) {
+    MotorRatios data = transients(0.01);
+    data.ratios[1].value = -0.5 * 0.01 * Kf / J; // half a standard error below zero
+    GivenConstants given;
+    given.coulombFriction_Nm = 0.0;
+    const JointEstimate joint = resolveConstants(data, given);
+    ASSERT_TRUE(joint.consistency);
+    // |t| > 0.5 with 40 degrees of freedom: 0.6198 (printed table)
+    EXPECT_NEAR(joint.consistency->probability, 0.6198, 1e-3);
+    given.inertia_kg_m2 = J;
+    const JointEstimate scaled = resolveConstants(data, given);
+    EXPECT_NEAR(*of(scaled, MotorConstant::Damping).value, C, 1e-9 * C);
+}
+
 TEST(ResolveConstants, refusesAnInertiaFromAFrictionThatIsHardlyThere) {
     MotorRatios data = transients(0.01);
     data.ratios[1].value = 0.001;
