@@ -21,7 +21,8 @@ Result<OrientationEstimator> OrientationEstimator::make(const SphericalSensing& 
     if (auto checked = checkSphericalSensing(sensing); !checked) {
         return failure(checked.error());
     }
-    if (config.harmonicPasses < 0 || config.fit.iterations < 1 || config.chiSquareLimit <= 0.0) {
+    if (config.harmonicPasses < 0 || config.fit.iterations < 1 || config.chiSquareLimit <= 0.0 ||
+        config.possibleLimit_ratio < 1.0) {
         return failure(ErrorCode::OutOfRange,
                        "The estimator needs harmonic passes of at least 0, at least one "
                        "iteration and a positive limit of chi-square.");
@@ -116,8 +117,17 @@ OrientationEstimate OrientationEstimator::byFit(const TensorSystem& system,
         double strength_T = 0.0;
         start = solveWith(system, readings_T, strength_T);
     }
-    const RotationSearch search = searchRotation(m_field, m_sensing.poses, system, readings_T, start,
-                                                 m_config.chiSquareLimit, !isWhole, m_config.fit);
+    const double possible = m_config.chiSquareLimit * m_config.possibleLimit_ratio;
+    RotationSearch search;
+    if (isWhole) {
+        search = searchRotation(m_field, m_sensing.poses, system, readings_T, start, m_config.chiSquareLimit,
+                                false, m_config.fit);
+    }
+    // Where errors of the sensors hide which of several poses is the true one, all that are possible count.
+    if (!search.isAccepted && (!isWhole || possible > m_config.chiSquareLimit)) {
+        search = searchRotation(m_field, m_sensing.poses, system, readings_T, start, possible,
+                                !isWhole || m_field.hasHarmonics(), m_config.fit);
+    }
     OrientationEstimate estimate;
     estimate.rotation = search.best.rotation;
     estimate.strength_T = search.best.strength_T;

@@ -42,6 +42,9 @@ struct OrientationConfig {
     int harmonicPasses = 0; ///< tensor methods: harmonics predicted and subtracted this often
     /// LM: accepted up to this chi-square. 1e-9 of healthy readings exceed it (5 degrees of freedom).
     double chiSquareLimit = 50.2;
+    /// A pose is possible up to this many times that limit. Above 1 for sensors whose gains, offsets and
+    /// places are not exact: 1 + (their error / noise)^2.
+    double possibleLimit_ratio = 1.0;
     /// Also for the tensor methods: with a free strength the Gauss-Newton step fits it and the predicted
     /// harmonics are scaled by it; held, both take the known one (3 % less noise, but a drift of q enters).
     RotationFitConfig fit;

@@ -115,6 +115,7 @@ Result<PoseSolver> tensorSolver(const AnalysisValues& values, const Orientation&
     config.harmonicPasses =
         static_cast<int>(values.numberOr("passes", sensing.field.harmonics.empty() ? 0 : 4));
     config.fit.isStrengthFree = !values.isSet("known_strength");
+    config.possibleLimit_ratio = 1.0 + work.confidence->errorShare();
     auto estimator = models::OrientationEstimator::make(sensing, config);
     if (!estimator) {
         return failure(estimator.error());

@@ -108,8 +108,12 @@ models::SphericalReadings OrientationConfidence::corrected_T(models::SphericalRe
     return models::correctedReadings_T(m_calibration, readings_T, coilCurrent_A);
 }
 
+double OrientationConfidence::errorShare() const {
+    return std::pow(m_tolerance_T / m_deviation_T, 2);
+}
+
 Eigen::Matrix3d OrientationConfidence::covariance_rad2(const models::OrientationEstimate& estimate) const {
-    const double share = std::pow(m_tolerance_T / m_deviation_T, 2);
+    const double share = errorShare();
     Eigen::Matrix3d covariance = estimate.covariance_rad2;
     if (estimate.freedom > 0 &&
         control::chiSquareTail(estimate.chiSquare / (1.0 + share), estimate.freedom) < Unlikely) {

@@ -21,6 +21,8 @@ public:
     /// Sensors and field that the estimator takes; `deviation_T` of every channel.
     models::SphericalSensing sensing(double deviation_T) const;
     double deviation_T() const { return m_deviation_T; }
+    /// Variance of the errors that sensors keep beside their noise, over that of the noise.
+    double errorShare() const;
     models::SphericalReadings corrected_T(models::SphericalReadings readings_T,
                                           const models::ChannelMask& used, double coilCurrent_A) const;
 
