@@ -60,6 +60,7 @@ Result<void> checkRelayOptions(const IdentifyOptions& options) {
                         {"--from-hz", !options.frequency.from.empty()},
                         {"--to-hz", !options.frequency.to.empty()},
                         {"--amplitude-deg", !options.frequency.amplitude.empty()},
+                        {"--effort-ratio", !options.frequency.effortRatio.empty()},
                         {"--periods", !options.frequency.periods.empty()},
                         {"--coherence", !options.frequency.coherence.empty()},
                         {"--bode", !options.frequency.bodeFile.empty()},

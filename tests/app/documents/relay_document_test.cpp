@@ -101,6 +101,9 @@ TEST(RelayOptions, belongToTheRelayAlone) {
     const Result<void> mixed = checkRelayOptions(options);
     ASSERT_FALSE(mixed);
     EXPECT_NE(mixed.error().message.find("--to-hz"), std::string::npos);
+    options.frequency = {};
+    options.frequency.effortRatio = "0.2";
+    EXPECT_EQ(checkRelayOptions(options).error().code, ErrorCode::Usage);
 }
 
 TEST(RelayOptions, thePlanSaysWhatMovesHowFarAndHowLong) {

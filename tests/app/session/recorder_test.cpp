@@ -4,6 +4,7 @@
 #include "tests/small_disk.h"
 
 #include <QtCore/QDir>
+#include <QtCore/QSemaphore>
 #include <QtCore/QTemporaryDir>
 #include <QtTest/QTest>
 
@@ -276,14 +277,23 @@ TEST_F(RecorderTest, aDiskThatCannotFlushEndsTheRecordingWithItsReason) {
     const auto layout = layoutOf({"a"}, 0.01);
     RecorderConfig bad = config(layout);
     bad.flushInterval_s = 1e-3;
-    bad.disk.sync = [](int) {
+    QSemaphore refused;
+    bad.disk.sync = [&refused](int) {
+        refused.release();
         errno = EIO;
         return false;
     };
     Recorder recorder(std::move(bad));
-    for (double time_s = 0.0; recorder.status().state == State::Recording; time_s += 0.1) {
-        recorder.push(block(layout, time_s, 10));
-        QTest::qWait(1);
+    recorder.push(block(layout, 0.0, 10));
+    ASSERT_TRUE(refused.tryAcquire(1, 20000)) << "rows are flushed while it records";
+    // It learns of that with rows that come later; each block waits for the one before.
+    for (std::uint64_t pushed = 10; recorder.status().state == State::Recording; pushed += 10) {
+        recorder.push(block(layout, 0.01 * static_cast<double>(pushed), 10));
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] {
+                return recorder.status().state != State::Recording || recorder.status().rows == pushed + 10;
+            },
+            20000));
     }
     ASSERT_TRUE(ended(recorder));
     EXPECT_EQ(recorder.status().state, State::Failed);
