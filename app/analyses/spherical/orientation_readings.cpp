@@ -2,12 +2,13 @@
 
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
-#include "control/base/units.h"
+#include "control/base/unit_conversion.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace halbench::app {
 
@@ -28,23 +29,53 @@ std::string plainName(std::string name) {
     return name;
 }
 
-Result<std::size_t> columnOf(const Recording& recording, const std::string& name, const std::string& unit,
-                             const std::string& origin) {
+struct ReadColumn {
+    std::size_t index = 0;
+    UnitConversion toUnit;
+};
+
+/// "field_0_r_mT", "field.0.r [mT]": what stands behind the name; nothing when it is another name.
+std::optional<std::string> unitBehind(const std::string& column, const std::string& wanted) {
+    if (!column.starts_with(wanted) || column.size() <= wanted.size() + 1) {
+        return std::nullopt;
+    }
+    std::string rest = column.substr(wanted.size());
+    if (rest.find_first_of(" _[(") != 0) {
+        return std::nullopt;
+    }
+    rest.erase(0, rest.find_first_not_of(" _"));
+    const bool isBracketed = rest.size() > 2 && ((rest.front() == '[' && rest.back() == ']') ||
+                                                 (rest.front() == '(' && rest.back() == ')'));
+    return isBracketed ? rest.substr(1, rest.size() - 2) : rest;
+}
+
+/// The column of a signal, with the way to its unit. A column in a unit of another quantity is refused unless
+/// there is one that fits. What stands behind a name and is no unit makes another name: `coil_current_set`.
+Result<ReadColumn> columnOf(const Recording& recording, const std::string& name, const std::string& unit,
+                            const std::string& origin) {
     const auto& columns = recording.layout->columns;
     const std::string wanted = plainName(name);
     std::string known;
+    std::optional<Error> misfit;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const std::string column = plainName(columns[i].name);
-        if (column == wanted && (columns[i].unit == unit || (unit == "rad" && columns[i].unit == "deg"))) {
-            return i;
+        const std::optional<std::string> written =
+            column == wanted ? columns[i].unit : unitBehind(column, wanted);
+        if (const auto conversion = written ? conversionBetween(*written, unit) : std::nullopt) {
+            return ReadColumn{i, *conversion};
         }
-        if (column == wanted || column.starts_with(wanted + "_")) {
-            return failure(ErrorCode::InvalidInput,
+        const bool isUnit = written && (column == wanted || conversionBetween(*written, *written));
+        if (isUnit && !misfit) {
+            misfit = Error{ErrorCode::InvalidInput,
                            fmt::format("{}: '{}' is not in {}", origin, columns[i].name, unit),
-                           fmt::format("convert it first: halbench import --unit COLUMN={} --map {}=COLUMN",
-                                       unit, name));
+                           fmt::format("give the unit of its numbers, e.g. mT: halbench import --unit "
+                                       "COLUMN=UNIT --map {}=COLUMN",
+                                       name)};
         }
         known += (known.empty() ? "" : ", ") + columns[i].name;
+    }
+    if (misfit) {
+        return failure(*misfit);
     }
     return failure(ErrorCode::UnknownName, fmt::format("{}: there is no signal '{}'", origin, name),
                    fmt::format("there are {}; name others with --readings or --truth-signals", known));
@@ -73,9 +104,9 @@ Result<void> readTruth(const AnalysisValues& values, const Recording& recording,
     if (!names) {
         return failure(names.error());
     }
-    std::array<std::size_t, 3> columns{};
+    std::array<ReadColumn, 3> columns;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        const Result<std::size_t> column = columnOf(recording, (*names)[i], "rad", origin);
+        const Result<ReadColumn> column = columnOf(recording, (*names)[i], "rad", origin);
         if (!column) {
             return failure(column.error());
         }
@@ -85,15 +116,14 @@ Result<void> readTruth(const AnalysisValues& values, const Recording& recording,
     for (std::size_t row = 0; row < recording.rows(); ++row) {
         std::array<double, 3> angles{};
         for (std::size_t i = 0; i < angles.size(); ++i) {
-            const double value = recording.values[row * width + columns[i]];
-            const bool isDegrees = recording.layout->columns[columns[i]].unit == "deg";
+            const double value = columns[i].toUnit(recording.values[row * width + columns[i].index]);
             if (!std::isfinite(value)) {
                 return failure(ErrorCode::InvalidInput,
                                fmt::format("{}: '{}' has no value at {} s", origin, (*names)[i],
                                            formatNumber(recording.time_s[row])),
                                "cut the recording with 'halbench convert', or leave --truth out");
             }
-            angles[i] = isDegrees ? degreesToRadians(value) : value;
+            angles[i] = value;
         }
         result.truth.push_back({angles[0], angles[1], angles[2]});
     }
@@ -163,20 +193,25 @@ Result<OrientationReadings> orientationReadings(const AnalysisValues& values,
     result.readings_T.resize(recording.rows());
     result.used.resize(recording.rows(), models::AllChannels);
     for (std::size_t i = 0; i < models::ChannelCount; ++i) {
-        const Result<std::size_t> column = columnOf(recording, result.names[i], "T", origin);
+        const Result<ReadColumn> column = columnOf(recording, result.names[i], "T", origin);
         if (!column) {
             return failure(column.error());
         }
         const std::size_t width = recording.layout->columns.size();
         for (std::size_t row = 0; row < recording.rows(); ++row) {
-            result.readings_T[row][static_cast<Eigen::Index>(i)] = recording.values[row * width + *column];
+            result.readings_T[row][static_cast<Eigen::Index>(i)] =
+                column->toUnit(recording.values[row * width + column->index]);
         }
     }
     result.coilCurrent_A.resize(recording.rows(), 0.0);
-    if (const auto current = columnOf(recording, "coil.current", "A", origin)) {
+    const Result<ReadColumn> current = columnOf(recording, "coil.current", "A", origin);
+    if (!current && current.error().code != ErrorCode::UnknownName) {
+        return failure(current.error()); // it is there: not taken for none
+    }
+    if (current) {
         const std::size_t width = recording.layout->columns.size();
         for (std::size_t row = 0; row < recording.rows(); ++row) {
-            const double current_A = recording.values[row * width + *current];
+            const double current_A = current->toUnit(recording.values[row * width + current->index]);
             result.coilCurrent_A[row] = std::isfinite(current_A) ? current_A : 0.0;
         }
     }

@@ -1,5 +1,6 @@
 #include "app/analyses/registry/analyses.h"
 #include "app/analyses/spherical/estimator_comparison.h"
+#include "app/analyses/spherical/orientation_readings.h"
 #include "control/base/random.h"
 #include "control/base/units.h"
 #include "models/spherical/orientation.h"
@@ -115,6 +116,64 @@ TEST(OrientationAnalysisTest, errorsAreThoseOfTheNoise) {
     // Nine readings, five tensor coordinates: four degrees of freedom, standard error sqrt(8 / 3000) = 0.05.
     EXPECT_NEAR(number(result->body, {"chi_square", "mean"}), 4.0, 0.16);
     EXPECT_EQ(result->quality.verdict, Verdict::Good);
+}
+
+// The same recording as other tools write it: a unit behind the name or beside it, angles in degrees.
+TEST(OrientationAnalysisTest, readingsAndAnglesInOtherUnitsAreTheSame) {
+    const devices::RecordedFile file = recordedPoses(200, Noise_T);
+    devices::RecordedFile other = file;
+    auto layout = std::make_shared<StreamLayout>(*file.recording.layout);
+    std::array<double, 12> perUnit{};
+    const std::array<std::pair<const char*, double>, 3> fields{
+        {{"field.0.r [mT]", 1e3}, {"field_0_theta_uT", 1e6}, {"field_0_phi_G", 1e4}}};
+    for (std::size_t i = 0; i < perUnit.size(); ++i) {
+        perUnit[i] = i < fields.size() ? fields[i].second : i < 9 ? 1e3 : 180.0 / Pi;
+        layout->columns[i] = i < fields.size()
+                                 ? StreamLayout::Column{fields[i].first, ""}
+                                 : StreamLayout::Column{layout->columns[i].name, i < 9 ? "mT" : "deg"};
+    }
+    other.recording.layout = layout;
+    for (std::size_t i = 0; i < other.recording.values.size(); ++i) {
+        other.recording.values[i] *= perUnit[i % perUnit.size()];
+    }
+    const auto expected = run("orient", {}, {{"truth", true}}, &file);
+    const auto result = run("orient", {}, {{"truth", true}}, &other);
+    ASSERT_TRUE(expected);
+    ASSERT_TRUE(result) << result.error().message;
+    // Scaled and scaled back, a reading differs by a few last digits.
+    EXPECT_NEAR(number(result->body, {"truth", "rms_deg"}), number(expected->body, {"truth", "rms_deg"}),
+                1e-9);
+    EXPECT_EQ(number(result->body, {"determined"}), 200.0);
+}
+
+TEST(OrientationAnalysisTest, currentInAnotherUnitIsConvertedAndOneInNoneRefused) {
+    devices::RecordedFile file = recordedPoses(20, Noise_T);
+    const auto withCurrent = [&file](const char* name, const char* unit, double value) {
+        devices::RecordedFile more = file;
+        auto layout = std::make_shared<StreamLayout>(*file.recording.layout);
+        layout->columns.push_back({name, unit});
+        more.recording.layout = layout;
+        more.recording.values.clear();
+        for (std::size_t row = 0; row < file.recording.time_s.size(); ++row) {
+            const auto begin = file.recording.values.begin() + static_cast<std::ptrdiff_t>(12 * row);
+            more.recording.values.insert(more.recording.values.end(), begin, begin + 12);
+            more.recording.values.push_back(value);
+        }
+        return more;
+    };
+    const auto readings = [](const devices::RecordedFile& recorded) {
+        const auto values = parseAnalysisValues(*findAnalysis("orient"), {}, {});
+        return orientationReadings(*values, recorded, "motion.csv");
+    };
+    const auto milliamperes = readings(withCurrent("coil_current_mA", "", 500.0));
+    ASSERT_TRUE(milliamperes) << milliamperes.error().message;
+    EXPECT_DOUBLE_EQ(milliamperes->coilCurrent_A[0], 0.5);
+    const auto volts = readings(withCurrent("coil.current", "V", 0.5));
+    ASSERT_FALSE(volts) << "not taken for no current";
+    EXPECT_THAT(volts.error().message, testing::HasSubstr("'coil.current' is not in A"));
+    const auto another = readings(withCurrent("coil_current_set_V", "", 0.5));
+    ASSERT_TRUE(another) << another.error().message;
+    EXPECT_EQ(another->coilCurrent_A[0], 0.0);
 }
 
 // 95 % of the true angles lie within their intervals: binomial, 3 sigma of 3000 poses are 1.2 %.
