@@ -9203,20 +9203,36 @@
         <translation>Auf die Achse wirkt eine Kraft, die dem Modell fehlt, oder Position und Stellgröße sind zeitlich verschoben.</translation>
     </message>
     <message>
-        <source>a path does not alternate its direction</source>
-        <translation>eine Bahn wechselt ihre Richtung nicht</translation>
-    </message>
-    <message>
-        <source>repeat it as it is: it ends where its last line ends</source>
-        <translation>wiederholen Sie sie, wie sie ist: sie endet, wo ihre letzte Zeile endet</translation>
-    </message>
-    <message>
         <source>the platen left its window: {} {} from where it began in {}, the window is {} {}</source>
         <translation>die Platte hat ihr Fenster verlassen: {} {} vom Anfang entfernt in {}, das Fenster ist {} {}</translation>
     </message>
     <message>
         <source>Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the platen to the middle, and start again.</source>
         <translation>Nichts wurde geändert. Nehmen Sie der Platte die Last von Kabel oder Neigung, heben Sie den Stopp auf, bewegen Sie die Platte zur Mitte und beginnen Sie neu.</translation>
+    </message>
+    <message>
+        <source>the gains are for a device &apos;{}&apos;, the model is of a &apos;{}&apos;</source>
+        <translation>die Reglerparameter sind für ein Gerät &apos;{}&apos;, das Modell ist von &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>open gains that were found with a model of this kind of device</source>
+        <translation>öffnen Sie Reglerparameter, die mit einem Modell dieser Art von Gerät bestimmt wurden</translation>
+    </message>
+    <message>
+        <source>the gains are for axes {}, the model has {}</source>
+        <translation>die Reglerparameter sind für die Achsen {}, das Modell hat {}</translation>
+    </message>
+    <message>
+        <source>open gains for an axis of the model</source>
+        <translation>öffnen Sie Reglerparameter für eine Achse des Modells</translation>
+    </message>
+    <message>
+        <source>a path does not alternate its direction</source>
+        <translation>eine Bahn wechselt ihre Richtung nicht</translation>
+    </message>
+    <message>
+        <source>repeat it as it is: it ends where its last line ends</source>
+        <translation>wiederholen Sie sie, wie sie ist: sie endet, wo ihre letzte Zeile endet</translation>
     </message>
 </context>
 <context>
@@ -19837,6 +19853,14 @@ Hall B
         <source>Saved as %1</source>
         <translation>Gespeichert als %1</translation>
     </message>
+    <message>
+        <source>Use in Tune</source>
+        <translation>In Auslegung verwenden</translation>
+    </message>
+    <message>
+        <source>Show the points in the open loop of each axis in Tune</source>
+        <translation>Punkte im offenen Kreis jeder Achse der Auslegung zeigen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::AxesFrequencyWords</name>
@@ -20152,26 +20176,6 @@ Hall B
         <translation>Verstärkungen, die „Übernehmen, prüfen“ in einer Transaktion schreibt</translation>
     </message>
     <message>
-        <source>damping ratio</source>
-        <translation>Dämpfungsgrad</translation>
-    </message>
-    <message>
-        <source>frequency [rad/s]</source>
-        <translation>Frequenz [rad/s]</translation>
-    </message>
-    <message>
-        <source>bandwidth [Hz]</source>
-        <translation>Bandbreite [Hz]</translation>
-    </message>
-    <message>
-        <source>phase margin [°]</source>
-        <translation>Phasenreserve [°]</translation>
-    </message>
-    <message>
-        <source>chosen by the method</source>
-        <translation>vom Verfahren gewählt</translation>
-    </message>
-    <message>
         <source>all axes</source>
         <translation>alle Achsen</translation>
     </message>
@@ -20224,18 +20228,6 @@ Hall B
         <translation>Vorhersagen</translation>
     </message>
     <message>
-        <source>Computing the loops</source>
-        <translation>Regelkreise werden berechnet</translation>
-    </message>
-    <message>
-        <source>All axes: %1</source>
-        <translation>Alle Achsen: %1</translation>
-    </message>
-    <message>
-        <source>Axis %1: %2</source>
-        <translation>Achse %1: %2</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>Übernehmen</translation>
     </message>
@@ -20262,6 +20254,103 @@ Hall B
     <message>
         <source>Previous gains restored.</source>
         <translation>Vorige Reglerparameter wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Remove the response</source>
+        <translation>Messung entfernen</translation>
+    </message>
+    <message>
+        <source>Show only predictions in the open loop of this axis</source>
+        <translation>Im offenen Kreis dieser Achse nur Vorhersagen zeigen</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Measured response shown in the open loop of each axis, the others closed.</source>
+        <translation>Gemessener Frequenzgang im offenen Kreis jeder Achse gezeigt, die anderen geschlossen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frequencies are coherent; the others are hollow.</source>
+        <translation>%1 von %2 Frequenzen sind kohärent; die anderen sind hohl.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisTargets</name>
+    <message>
+        <source>damping ratio</source>
+        <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>Frequenz [rad/s]</translation>
+    </message>
+    <message>
+        <source>bandwidth [Hz]</source>
+        <translation>Bandbreite [Hz]</translation>
+    </message>
+    <message>
+        <source>phase margin [°]</source>
+        <translation>Phasenreserve [°]</translation>
+    </message>
+    <message>
+        <source>chosen by the method</source>
+        <translation>vom Verfahren gewählt</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisVerdict</name>
+    <message>
+        <source>Computing the loops</source>
+        <translation>Regelkreise werden berechnet</translation>
+    </message>
+    <message>
+        <source>All axes: %1</source>
+        <translation>Alle Achsen: %1</translation>
+    </message>
+    <message>
+        <source>Axis %1: %2</source>
+        <translation>Achse %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisGainFiles</name>
+    <message>
+        <source>Save gains…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Save the gains of all axes to a file</source>
+        <translation>Reglerparameter aller Achsen in einer Datei speichern</translation>
+    </message>
+    <message>
+        <source>Open gains…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Propose the gains of a file; they are assessed first</source>
+        <translation>Reglerparameter einer Datei vorschlagen; sie werden erst beurteilt</translation>
+    </message>
+    <message>
+        <source>Open gains</source>
+        <translation>Reglerparameter öffnen</translation>
+    </message>
+    <message>
+        <source>Gains (*.json)</source>
+        <translation>Reglerparameter (*.json)</translation>
+    </message>
+    <message>
+        <source>Gains of %1.</source>
+        <translation>Reglerparameter aus %1.</translation>
+    </message>
+    <message>
+        <source>It has none for %1, which keep their own.</source>
+        <translation>Die Datei enthält keine für %1; dort bleiben die eigenen.</translation>
+    </message>
+    <message>
+        <source>Save gains</source>
+        <translation>Reglerparameter speichern</translation>
     </message>
 </context>
 <context>

@@ -9203,20 +9203,36 @@
         <translation>该轴受到模型中没有的力，或位置与控制量在时间上错位。</translation>
     </message>
     <message>
-        <source>a path does not alternate its direction</source>
-        <translation>路径不交替方向</translation>
-    </message>
-    <message>
-        <source>repeat it as it is: it ends where its last line ends</source>
-        <translation>请按原样重复：它在最后一行的终点结束</translation>
-    </message>
-    <message>
         <source>the platen left its window: {} {} from where it began in {}, the window is {} {}</source>
         <translation>动子离开了其窗口：距起点 {} {}（{} 方向），窗口为 {} {}</translation>
     </message>
     <message>
         <source>Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the platen to the middle, and start again.</source>
         <translation>未作任何更改。请消除电缆或倾斜对动子的作用力，解除停止，将动子移到中央，然后重新开始。</translation>
+    </message>
+    <message>
+        <source>the gains are for a device &apos;{}&apos;, the model is of a &apos;{}&apos;</source>
+        <translation>增益属于设备“{}”，模型属于“{}”</translation>
+    </message>
+    <message>
+        <source>open gains that were found with a model of this kind of device</source>
+        <translation>请打开用同类设备的模型得到的增益</translation>
+    </message>
+    <message>
+        <source>the gains are for axes {}, the model has {}</source>
+        <translation>增益对应的轴为 {}，模型的轴为 {}</translation>
+    </message>
+    <message>
+        <source>open gains for an axis of the model</source>
+        <translation>请打开模型所含轴的增益</translation>
+    </message>
+    <message>
+        <source>a path does not alternate its direction</source>
+        <translation>路径不交替方向</translation>
+    </message>
+    <message>
+        <source>repeat it as it is: it ends where its last line ends</source>
+        <translation>请按原样重复：它在最后一行的终点结束</translation>
     </message>
 </context>
 <context>
@@ -19822,6 +19838,14 @@ Hall B
         <source>Saved as %1</source>
         <translation>已保存为 %1</translation>
     </message>
+    <message>
+        <source>Use in Tune</source>
+        <translation>用于整定</translation>
+    </message>
+    <message>
+        <source>Show the points in the open loop of each axis in Tune</source>
+        <translation>在整定中将实测点显示于各轴的开环图</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::AxesFrequencyWords</name>
@@ -20137,26 +20161,6 @@ Hall B
         <translation>“应用并验证”以一次事务写入的增益</translation>
     </message>
     <message>
-        <source>damping ratio</source>
-        <translation>阻尼比</translation>
-    </message>
-    <message>
-        <source>frequency [rad/s]</source>
-        <translation>频率 [rad/s]</translation>
-    </message>
-    <message>
-        <source>bandwidth [Hz]</source>
-        <translation>带宽 [Hz]</translation>
-    </message>
-    <message>
-        <source>phase margin [°]</source>
-        <translation>相位裕度 [°]</translation>
-    </message>
-    <message>
-        <source>chosen by the method</source>
-        <translation>由方法选定</translation>
-    </message>
-    <message>
         <source>all axes</source>
         <translation>所有轴</translation>
     </message>
@@ -20209,18 +20213,6 @@ Hall B
         <translation>预测</translation>
     </message>
     <message>
-        <source>Computing the loops</source>
-        <translation>正在计算回路</translation>
-    </message>
-    <message>
-        <source>All axes: %1</source>
-        <translation>所有轴：%1</translation>
-    </message>
-    <message>
-        <source>Axis %1: %2</source>
-        <translation>轴 %1：%2</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>应用</translation>
     </message>
@@ -20247,6 +20239,103 @@ Hall B
     <message>
         <source>Previous gains restored.</source>
         <translation>已恢复之前的增益。</translation>
+    </message>
+    <message>
+        <source>Remove the response</source>
+        <translation>移除频率响应</translation>
+    </message>
+    <message>
+        <source>Show only predictions in the open loop of this axis</source>
+        <translation>该轴的开环图中只显示预测</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>已保存为 %1</translation>
+    </message>
+    <message>
+        <source>Measured response shown in the open loop of each axis, the others closed.</source>
+        <translation>测得的响应已显示在各轴的开环图中，其他轴闭环。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frequencies are coherent; the others are hollow.</source>
+        <translation>%2 个频率中有 %1 个相干；其余为空心点。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisTargets</name>
+    <message>
+        <source>damping ratio</source>
+        <translation>阻尼比</translation>
+    </message>
+    <message>
+        <source>frequency [rad/s]</source>
+        <translation>频率 [rad/s]</translation>
+    </message>
+    <message>
+        <source>bandwidth [Hz]</source>
+        <translation>带宽 [Hz]</translation>
+    </message>
+    <message>
+        <source>phase margin [°]</source>
+        <translation>相位裕度 [°]</translation>
+    </message>
+    <message>
+        <source>chosen by the method</source>
+        <translation>由方法选定</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisVerdict</name>
+    <message>
+        <source>Computing the loops</source>
+        <translation>正在计算回路</translation>
+    </message>
+    <message>
+        <source>All axes: %1</source>
+        <translation>所有轴：%1</translation>
+    </message>
+    <message>
+        <source>Axis %1: %2</source>
+        <translation>轴 %1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisGainFiles</name>
+    <message>
+        <source>Save gains…</source>
+        <translation>保存增益…</translation>
+    </message>
+    <message>
+        <source>Save the gains of all axes to a file</source>
+        <translation>将所有轴的增益保存到文件</translation>
+    </message>
+    <message>
+        <source>Open gains…</source>
+        <translation>打开增益…</translation>
+    </message>
+    <message>
+        <source>Propose the gains of a file; they are assessed first</source>
+        <translation>将文件中的增益作为建议值；先进行评估</translation>
+    </message>
+    <message>
+        <source>Open gains</source>
+        <translation>打开增益</translation>
+    </message>
+    <message>
+        <source>Gains (*.json)</source>
+        <translation>增益 (*.json)</translation>
+    </message>
+    <message>
+        <source>Gains of %1.</source>
+        <translation>来自 %1 的增益。</translation>
+    </message>
+    <message>
+        <source>It has none for %1, which keep their own.</source>
+        <translation>文件中没有 %1 的增益，保留其原有增益。</translation>
+    </message>
+    <message>
+        <source>Save gains</source>
+        <translation>保存增益</translation>
     </message>
 </context>
 <context>

@@ -93,6 +93,11 @@ void connectPanelConnections(DockLayout& docks, Workbench& bench) {
                          docks.setPerspective(Perspective::Tune);
                          tune->useMeasured(measuredPlant(result));
                      });
+    QObject::connect(frequency, &FrequencyPanel::axesUseRequested, tune,
+                     [&docks, tune](const AxesFrequencyResult& result) {
+                         docks.setPerspective(Perspective::Tune);
+                         tune->useMeasuredAxes(result);
+                     });
     QObject::connect(relay, &RelayPanel::useRequested, tune,
                      [&docks, tune](double gain_A_per_rad, double period_s) {
                          docks.setPerspective(Perspective::Tune);

@@ -32,7 +32,11 @@ AxesFrequencyPanel::AxesFrequencyPanel(Workbench& workbench, QWidget* parent)
     QWidget* form = buildForm();
     QWidget* result = buildResult();
     addPages(*form, *result, buildSaving());
-    useButton().hide(); // its margins and couplings are the result; no design is made of them
+    connect(&useButton(), &QPushButton::clicked, this, [this] {
+        if (m_found) {
+            Q_EMIT useRequested(*m_found);
+        }
+    });
     connect(&bench(), &Workbench::displayUnitsChanged, this, &AxesFrequencyPanel::showResult);
     AxesFrequencyPanel::refreshWords();
 }
@@ -111,6 +115,7 @@ void AxesFrequencyPanel::refreshWords() {
            "windows and generator are restored, the gains are not changed."));
     setComputingWords(tr("Computing the response"));
     sayButton(startButton(), tr("Start measurement"), tr("The actuator moves (Ctrl+Return); Esc stops it"));
+    sayButton(useButton(), tr("Use in Tune"), tr("Show the points in the open loop of each axis in Tune"));
     sayButton(*m_save, tr("Save response\u2026"), tr("Save the matrix of responses as a file"));
     sayButton(*m_table, tr("Save table\u2026"), tr("Save the points with error and coherence as CSV"));
     sayButton(againButton(), tr("Measure again"),
@@ -223,7 +228,6 @@ void AxesFrequencyPanel::finish(const ResultHeader& header, const Result<AxesFre
     showResult();
     m_both->shareAnew();
     showFound(result->quality.verdict != Verdict::Refused);
-    againButton().setFocus(Qt::OtherFocusReason);
 }
 
 void AxesFrequencyPanel::showResult() {

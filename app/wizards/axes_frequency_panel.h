@@ -29,6 +29,9 @@ class AxesFrequencyPanel : public ExcitationPanel {
 public:
     explicit AxesFrequencyPanel(Workbench& bench, QWidget* parent = nullptr);
 
+Q_SIGNALS:
+    void useRequested(const halbench::app::AxesFrequencyResult& result); ///< its points in Tune
+
 protected:
     void refreshWords() override;
     void onFileChooser() override;

@@ -48,6 +48,7 @@ void FrequencyPanel::showAxes() {
     const bool areSeveral = session.catalogue().axes.size() > 1;
     if (areSeveral && m_axes == nullptr) {
         m_axes = new AxesFrequencyPanel(bench(), this);
+        connect(m_axes, &AxesFrequencyPanel::useRequested, this, &FrequencyPanel::axesUseRequested);
         m_axes->setFileChooser(chooser());
         setAlternative(*m_axes);
     }

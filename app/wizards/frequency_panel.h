@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/procedures/frequency/axes_frequency.h"
 #include "app/procedures/frequency/frequency_procedure.h"
 #include "app/wizards/excitation_panel.h"
 
@@ -22,6 +23,7 @@ public:
 
 Q_SIGNALS:
     void useRequested(const halbench::app::FrequencyResult& result); ///< its points in Tune
+    void axesUseRequested(const halbench::app::AxesFrequencyResult& result);
 
 protected:
     void refreshWords() override;

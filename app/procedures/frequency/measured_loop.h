@@ -1,11 +1,15 @@
 #pragma once
 
+#include "app/procedures/frequency/axes_frequency.h"
 #include "app/procedures/frequency/frequency_procedure.h"
 #include "control/base/result.h"
+#include "control/law/filtered_law.h"
 #include "control/law/position_loop.h"
 
 #include <complex>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace halbench::app {
@@ -26,6 +30,10 @@ struct MeasuredPlant {
 /// What a measurement gives; points that are no number or zero are left out.
 MeasuredPlant measuredPlant(const FrequencyResult& result);
 
+/// The plant of each axis while the loops of the others are closed, by the name of the axis: its open loop
+/// over the law that ran meanwhile. Points that are no number or zero are left out.
+std::map<std::string, MeasuredPlant> measuredPlants(const AxesFrequencyResult& result);
+
 /// The open loop that other gains make of it.
 struct MeasuredLoop {
     std::vector<double> frequency_Hz;
@@ -39,6 +47,9 @@ struct MeasuredLoop {
 /// C z^-d G at each measured frequency: no model of the motor is in it. Errors: of the gains; InvalidInput
 /// when the loop that is asked for runs at another rate than the measured one.
 Result<MeasuredLoop> measuredLoop(const MeasuredPlant& plant, const control::PidGains& gains,
+                                  const control::LoopTiming& timing);
+/// The same with the filters of a law.
+Result<MeasuredLoop> measuredLoop(const MeasuredPlant& plant, const control::FilteredLaw& law,
                                   const control::LoopTiming& timing);
 
 } // namespace halbench::app

@@ -4,6 +4,9 @@
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/tuning/axis_conditions.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -142,6 +145,47 @@ Result<control::CrossoverDesign> AxisLoops::filtered(const std::string& axis,
     const TuneResult& proposed = (*known)->proposed;
     return control::designCrossover(proposed.plant, proposed.conditions.timing, aim, priority,
                                     proposed.filtered.value_or(control::FilteredLaw{}));
+}
+
+std::optional<MeasuredLoop> AxisLoops::measured(const std::string& axis) const {
+    const auto plant = m_measured.find(axis);
+    const Result<AxisAnswer>* known = answer(axis);
+    if (plant == m_measured.end() || known == nullptr || !*known) {
+        return std::nullopt;
+    }
+    const TuneResult& proposed = (*known)->proposed;
+    const auto loop = measuredLoop(plant->second, asFiltered(LoopLaw(proposed.law, proposed.filtered)),
+                                   proposed.conditions.timing);
+    return loop ? std::optional(*loop) : std::nullopt;
+}
+
+Result<std::vector<std::string>> AxisLoops::takeGains(const AxisGainsFile& file) {
+    const auto& identified = m_model->header.device;
+    if (file.device && identified && file.device->model != identified->model) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("the gains are for a device '{}', the model is of a '{}'",
+                                   file.device->model, identified->model),
+                       "open gains that were found with a model of this kind of device");
+    }
+    std::vector<std::string> missing;
+    for (const std::string& axis : axes()) {
+        const auto found = std::find(file.axes.begin(), file.axes.end(), axis);
+        if (found == file.axes.end()) {
+            missing.push_back(axis);
+            continue;
+        }
+        AxisChoice& choice = m_choices[axis];
+        choice.method = "edited";
+        choice.targets = {};
+        choice.law = file.gains[static_cast<std::size_t>(found - file.axes.begin())].loopLaw();
+    }
+    if (missing.size() == axes().size()) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("the gains are for axes {}, the model has {}", fmt::join(file.axes, ", "),
+                                   fmt::join(axes(), ", ")),
+                       "open gains for an axis of the model");
+    }
+    return missing;
 }
 
 Result<TuneAxesResult> AxisLoops::result(const std::vector<std::string>& wanted) const {

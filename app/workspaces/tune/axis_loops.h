@@ -1,6 +1,8 @@
 #pragma once
 
+#include "app/documents/axis_loop_documents.h"
 #include "app/documents/axis_model_file.h"
+#include "app/procedures/frequency/measured_loop.h"
 #include "app/procedures/tune/tune_axes.h"
 #include "control/design/crossover_design.h"
 #include "devices/device.h"
@@ -8,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace halbench::app {
@@ -64,6 +67,17 @@ public:
                                               control::CrossoverPriority priority) const;
     std::optional<control::CrossoverAim> aim(const std::string& axis) const;
 
+    /// Measured plants by axis, drawn with the gains that are proposed; they outlast the model.
+    void setMeasured(std::map<std::string, MeasuredPlant> plants) { m_measured = std::move(plants); }
+    void forgetMeasured(const std::string& axis) { m_measured.erase(axis); }
+    bool isMeasured(const std::string& axis) const { return m_measured.count(axis) > 0; }
+    /// Nothing without a response or an answer, or when the loop runs at another rate than the measured one.
+    std::optional<MeasuredLoop> measured(const std::string& axis) const;
+
+    /// Proposes the gains of a file for the axes that it has; gives those of the model that it has not.
+    /// Errors: InvalidInput (of another kind of device, none of the axes).
+    Result<std::vector<std::string>> takeGains(const AxisGainsFile& file);
+
     /// The answers of these axes as one result: the worst verdict counts. Errors: of the first axis without
     /// gains; Refused while one is not answered.
     Result<TuneAxesResult> result(const std::vector<std::string>& axes) const;
@@ -74,6 +88,7 @@ private:
     std::map<std::string, LoopLaw> m_present;
     std::map<std::string, AxisChoice> m_choices;
     std::map<std::string, Result<AxisAnswer>> m_answers;
+    std::map<std::string, MeasuredPlant> m_measured;
 };
 
 } // namespace halbench::app

@@ -1,19 +1,19 @@
 #include "app/workspaces/tune/axis_tune_panel.h"
 
 #include "app/figures/axis_figures.h"
-#include "app/procedures/tune/loop_verdict.h"
 #include "app/workbench/departure_text.h"
 #include "app/workspaces/parts/page_chooser.h"
 #include "app/workspaces/parts/preflight.h"
-#include "app/workspaces/parts/quality_view.h"
 #include "app/workspaces/tune/axis_gain_editor.h"
+#include "app/workspaces/tune/axis_gain_files.h"
+#include "app/workspaces/tune/axis_targets.h"
+#include "app/workspaces/tune/axis_verdict.h"
 #include "app/workspaces/tune/design_names.h"
 #include "app/workspaces/tune/loop_sliders.h"
 #include "app/workspaces/tune/loop_view.h"
 #include "control/design/axis_designs.h"
 #include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
-#include "widgets/controls/optional_number_edit.h"
 #include "widgets/controls/progress_row.h"
 #include "widgets/controls/verdict_view.h"
 #include "widgets/figure/figure_view.h"
@@ -59,28 +59,18 @@ QWidget* AxisTunePanel::buildSettings() {
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, widgets::PanelMargin_px, 0);
     column->setSpacing(widgets::PanelMargin_px);
-    auto* form = new QFormLayout;
-    form->setSpacing(widgets::GridStep_px);
-    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form = new QFormLayout;
+    m_form->setSpacing(widgets::GridStep_px);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_axes = new QComboBox(content);
     m_method = new QComboBox(content);
     for (QComboBox* box : {m_axes, m_method}) {
         auto* label = new QLabel(content);
         label->setBuddy(box);
-        form->addRow(label, box);
+        m_form->addRow(label, box);
     }
-    const auto addTarget = [&](const char* key, std::optional<double> control::DesignTargets::*value) {
-        auto* edit = new widgets::OptionalNumberEdit(content);
-        edit->setLimits({0.0, 1e6, false});
-        auto* name = new QLabel(content);
-        form->addRow(name, edit);
-        m_targets.push_back({name, edit, key, value});
-    };
-    addTarget("zeta", &control::DesignTargets::zeta);
-    addTarget("omega-rad-s", &control::DesignTargets::omega_rad_s);
-    addTarget("bandwidth-hz", &control::DesignTargets::bandwidth_Hz);
-    addTarget("phase-margin-deg", &control::DesignTargets::phaseMargin_deg);
-    column->addLayout(form);
+    m_targets = new AxisTargets(*m_form, content);
+    column->addLayout(m_form);
     m_gains = new AxisGainEditor(content);
     m_sliders = new LoopSliders(content);
     m_verdict = new widgets::VerdictView(this);
@@ -88,6 +78,14 @@ QWidget* AxisTunePanel::buildSettings() {
     m_scope = new QComboBox(this);
     m_apply = new QPushButton(this);
     m_restore = new QPushButton(this);
+    m_gainFiles = new AxisGainFiles(
+        [this]() -> Result<JsonValue> {
+            const auto result = m_loops.result(m_loops.axes());
+            ResultHeader header = m_bench.beginResult("halbench.gains/1");
+            header.device = m_loops.model().header.device;
+            return result ? Result<JsonValue>(axisGainsDocument(header, *result)) : failure(result.error());
+        },
+        this);
     m_progress = new widgets::ProgressRow(this);
     m_progress->hide();
     widgets::setRole(*m_apply, widgets::Role::Primary);
@@ -115,7 +113,8 @@ QWidget* AxisTunePanel::buildSettings() {
     buttons->addWidget(m_apply, 0, 0);
     buttons->addWidget(m_scope, 0, 1);
     buttons->addWidget(m_restore, 1, 0);
-    buttons->setColumnStretch(2, 1);
+    buttons->addWidget(m_gainFiles, 0, 2);
+    buttons->setColumnStretch(3, 1);
     all->addLayout(buttons);
     return settings;
 }
@@ -123,6 +122,9 @@ QWidget* AxisTunePanel::buildSettings() {
 QWidget* AxisTunePanel::buildFigures() {
     m_figures = new PageChooser(this);
     m_loop = new LoopView(m_figures);
+    m_forget = new QPushButton(m_loop);
+    m_forget->hide();
+    m_loop->addTool(*m_forget);
     m_step = new widgets::FigureView(m_figures);
     m_verification = new widgets::FigureView(m_figures);
     for (QWidget* page : std::initializer_list<QWidget*>{m_loop, m_step, m_verification}) {
@@ -139,9 +141,7 @@ void AxisTunePanel::connectParts() {
     connect(m_axes, chosen, this, [this] { chooseAxis(m_axes->currentData().toString().toStdString()); });
     connect(m_method, chosen, this, &AxisTunePanel::chooseMethod);
     connect(m_scope, chosen, this, &AxisTunePanel::refreshButtons);
-    for (const Target& target : m_targets) {
-        connect(target.edit, &widgets::OptionalNumberEdit::valueChanged, this, &AxisTunePanel::takeTargets);
-    }
+    connect(m_targets, &AxisTargets::edited, this, &AxisTunePanel::takeTargets);
     connect(m_gains, &AxisGainEditor::edited, this, [this] {
         if (const auto law = m_gains->law()) {
             takeEdited(*law);
@@ -171,6 +171,16 @@ void AxisTunePanel::connectParts() {
     connect(m_preflight, &Preflight::changed, this, &AxisTunePanel::refreshButtons);
     connect(m_apply, &QPushButton::clicked, this, &AxisTunePanel::apply);
     connect(m_restore, &QPushButton::clicked, this, &AxisTunePanel::restore);
+    connect(m_gainFiles, &AxisGainFiles::opened, this, &AxisTunePanel::takeFromFile);
+    connect(m_gainFiles, &AxisGainFiles::failed, this, &AxisTunePanel::showError);
+    connect(m_gainFiles, &AxisGainFiles::saved, this, [this](const QString& path) {
+        m_message->showMessage({widgets::Severity::Success, tr("Saved as %1").arg(path), {}, {}});
+    });
+    connect(m_forget, &QPushButton::clicked, this, [this] {
+        m_loops.forgetMeasured(m_axis);
+        refreshMeasured();
+        showAxis();
+    });
     connect(m_progress, &widgets::ProgressRow::cancelRequested, &m_bench.session(),
             &DeviceSession::abortProcedure);
     connect(&m_bench, &Workbench::valuesChanged, this, &AxisTunePanel::onValues);
@@ -195,20 +205,9 @@ void AxisTunePanel::refreshWords() {
     nameRow(*m_method, tr("Gains"), tr("Design method for the gains of this axis"));
     nameRow(*m_scope, tr("Axes to apply"), tr("Gains that Apply and verify writes, in one transaction"));
     for (QComboBox* box : {m_axes, m_method}) {
-        for (QObject* sibling : box->parent()->children()) {
-            auto* label = qobject_cast<QLabel*>(sibling);
-            if (label != nullptr && label->buddy() == box) {
-                label->setText(box->accessibleName());
-            }
-        }
+        static_cast<QLabel*>(m_form->labelForField(box))->setText(box->accessibleName());
     }
-    const QString names[] = {tr("damping ratio"), tr("frequency [rad/s]"), tr("bandwidth [Hz]"),
-                             tr("phase margin [°]")};
-    for (std::size_t i = 0; i < m_targets.size(); ++i) {
-        m_targets[i].name->setText(names[i]);
-        m_targets[i].edit->setAccessibleName(names[i]);
-        m_targets[i].edit->setPlaceholderText(tr("chosen by the method"));
-    }
+    m_targets->refreshWords();
     const int scope = std::max(m_scope->currentIndex(), 0);
     const QSignalBlocker quiet(m_scope);
     m_scope->clear();
@@ -220,6 +219,8 @@ void AxisTunePanel::refreshWords() {
         tr("Write the gains in one transaction, then verify each axis with a step; Esc stops it"));
     m_restore->setText(tr("Restore"));
     m_restore->setToolTip(tr("Write the gains from before the last apply"));
+    m_forget->setText(tr("Remove the response"));
+    m_forget->setToolTip(tr("Show only predictions in the open loop of this axis"));
     m_figures->setTitle(m_loop, tr("Open loop"), tr("Bode, Nyquist and Nichols plot, and sensitivity"));
     m_figures->setTitle(m_step, tr("Step"), tr("The test step with friction and effort limit"));
     m_figures->setTitle(m_verification, tr("Verification"),
@@ -291,26 +292,11 @@ void AxisTunePanel::chooseAxis(const std::string& axis) {
     }
     const AxisChoice& choice = m_loops.choice(axis);
     m_method->setCurrentIndex(m_method->findData(QString::fromStdString(choice.method)));
-    for (const Target& target : m_targets) {
-        const QSignalBlocker quietTarget(target.edit);
-        target.edit->setValue(choice.targets.*target.value);
-    }
-    refreshTargets();
+    m_targets->setTargets(choice.targets);
+    m_targets->showFor(m_method->currentData().toString().toStdString());
+    refreshMeasured();
     showAxis();
     showVerification();
-}
-
-void AxisTunePanel::refreshTargets() {
-    const std::string method = m_method->currentData().toString().toStdString();
-    const auto& methods = control::axisDesignMethods();
-    const auto found = std::find_if(methods.begin(), methods.end(),
-                                    [&](const control::DesignMethod& each) { return each.name == method; });
-    for (const Target& target : m_targets) {
-        const bool isRead =
-            found != methods.end() && found->targets.find(target.key) != std::string_view::npos;
-        target.name->setVisible(isRead);
-        target.edit->setVisible(isRead);
-    }
 }
 
 void AxisTunePanel::chooseMethod() {
@@ -331,19 +317,13 @@ void AxisTunePanel::chooseMethod() {
     } else if (choice.method == "edited") {
         choice.law = m_gains->law().value_or(LoopLaw{});
     }
-    refreshTargets();
+    m_targets->showFor(m_method->currentData().toString().toStdString());
     takeTargets();
 }
 
 /// Only those that the method reads.
 void AxisTunePanel::takeTargets() {
-    AxisChoice& choice = m_loops.choice(m_axis);
-    choice.targets = {};
-    for (const Target& target : m_targets) {
-        if (!target.edit->isHidden()) {
-            choice.targets.*target.value = target.edit->value();
-        }
-    }
+    m_loops.choice(m_axis).targets = m_targets->targets();
     ask(m_axis);
 }
 
@@ -354,7 +334,7 @@ void AxisTunePanel::takeEdited(const LoopLaw& law) {
     choice.law = law;
     const QSignalBlocker quiet(m_method);
     m_method->setCurrentIndex(m_method->findData(QStringLiteral("edited")));
-    refreshTargets();
+    m_targets->showFor(m_method->currentData().toString().toStdString());
     ask(m_axis);
 }
 
@@ -429,7 +409,7 @@ void AxisTunePanel::showAxis() {
         m_gains->setLaw(LoopLaw(proposed.law, proposed.filtered), axis);
     }
     m_sliders->setLoop(m_loops.aim(m_axis), proposed.conditions.timing);
-    m_loop->setLoops(proposed.predicted, (*answer)->present, {});
+    m_loop->setLoops(proposed.predicted, (*answer)->present, {}, m_loops.measured(m_axis));
     m_step->setFigure(
         axisStepFigure(axis, proposed.predicted, (*answer)->present).value_or(widgets::Figure{}));
     showVerdict();
@@ -437,27 +417,7 @@ void AxisTunePanel::showAxis() {
 
 /// The worst axis sets it.
 void AxisTunePanel::showVerdict() {
-    const auto result = m_loops.result(m_loops.axes());
-    if (!result) {
-        const bool isWaiting = m_task.isBusy() || !m_waiting.empty();
-        m_verdict->setVerdict(
-            widgets::VerdictLevel::Doubtful,
-            isWaiting ? tr("Computing the loops") : widgets::inWords(result.error().message),
-            isWaiting ? std::vector<widgets::Remark>()
-                      : std::vector<widgets::Remark>{{widgets::inWords(result.error().hint), {}}});
-        return;
-    }
-    const auto worst = std::max_element(result->axes.begin(), result->axes.end(),
-                                        [](const TuneResult& one, const TuneResult& other) {
-                                            return one.quality.verdict < other.quality.verdict;
-                                        });
-    const QString words = widgets::inWords(loopVerdict(result->quality.verdict, worst->warnings, true));
-    const bool areAllGood = result->quality.verdict == Verdict::Good;
-    m_verdict->setVerdict(
-        verdictLevel(result->quality.verdict),
-        areAllGood ? tr("All axes: %1").arg(words)
-                   : tr("Axis %1: %2").arg(QString::fromStdString(worst->conditions.axis->id), words),
-        remarksOf(result->quality.findings));
+    showAxesVerdict(*m_verdict, m_loops.result(m_loops.axes()), m_task.isBusy() || !m_waiting.empty());
 }
 
 std::vector<std::string> AxisTunePanel::axesToApply() const {
@@ -473,6 +433,56 @@ void AxisTunePanel::refreshButtons() {
     const bool isCurrent = m_waiting.empty() && !m_task.isBusy();
     m_apply->setEnabled(isIdle && isUsable && isCurrent && m_preflight->isPassed() && !m_isApplying);
     m_restore->setEnabled(isIdle && !m_before.empty() && !session.report().board.isArmed);
+    m_gainFiles->setUsable(m_loops.hasModel(),
+                           m_loops.hasModel() && isCurrent && m_loops.result(m_loops.axes()));
+}
+
+void AxisTunePanel::setFileChooser(FileChooser chooser) {
+    m_gainFiles->setFileChooser(std::move(chooser));
+}
+
+/// As `tune --gains` takes them; the judgement of everything that is proposed decides whether it is applied.
+void AxisTunePanel::takeFromFile(const QString& path, const AxisGainsFile& gains) {
+    const auto missing = m_loops.takeGains(gains);
+    if (!missing) {
+        showError(missing.error());
+        return;
+    }
+    for (const std::string& axis : m_loops.axes()) {
+        if (std::find(missing->begin(), missing->end(), axis) == missing->end()) {
+            ask(axis);
+        }
+    }
+    chooseAxis(m_axis); // its method is another now
+    m_message->showMessage(AxisGainFiles::openedMessage(path, *missing));
+}
+
+void AxisTunePanel::useMeasured(std::map<std::string, MeasuredPlant> plants) {
+    const std::string first = plants.empty() ? std::string() : plants.begin()->first;
+    m_loops.setMeasured(std::move(plants));
+    if (!m_loops.hasModel() || first.empty()) {
+        refreshMeasured();
+        showAxis();
+        return;
+    }
+    if (!m_loops.isMeasured(m_axis) && m_axes->findData(QString::fromStdString(first)) >= 0) {
+        m_axes->setCurrentIndex(m_axes->findData(QString::fromStdString(first)));
+    }
+    refreshMeasured();
+    showAxis();
+    const auto loop = m_loops.measured(m_axis);
+    const auto used = loop ? std::count(loop->isUsed.begin(), loop->isUsed.end(), true) : 0;
+    m_message->showMessage({widgets::Severity::Information,
+                            tr("Measured response shown in the open loop of each axis, the others closed."),
+                            loop ? tr("%1 of %2 frequencies are coherent; the others are hollow.")
+                                       .arg(used)
+                                       .arg(loop->isUsed.size())
+                                 : QString(),
+                            {}});
+}
+
+void AxisTunePanel::refreshMeasured() {
+    m_forget->setVisible(m_loops.isMeasured(m_axis));
 }
 
 void AxisTunePanel::apply() {

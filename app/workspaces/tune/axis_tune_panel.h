@@ -1,25 +1,27 @@
 #pragma once
 
 #include "app/procedures/apply/apply_axes.h"
+#include "app/workbench/file_chooser.h"
 #include "app/workbench/latest_task.h"
 #include "app/workbench/workbench.h"
 #include "app/workspaces/tune/axis_loops.h"
 
 #include <QWidget>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QPushButton;
 
 namespace halbench::widgets {
 class FigureView;
 class MessageBar;
-class OptionalNumberEdit;
 class ProgressRow;
 class VerdictView;
 } // namespace halbench::widgets
@@ -27,6 +29,8 @@ class VerdictView;
 namespace halbench::app {
 
 class AxisGainEditor;
+class AxisGainFiles;
+class AxisTargets;
 class LoopSliders;
 class LoopView;
 class PageChooser;
@@ -44,6 +48,11 @@ public:
     void setModel(const AxisModelFile& model);
     /// The axes that were identified are those of a device of this model.
     bool isFor(const std::string& model) const;
+    /// Measured plants by axis, for the open loops; kept until axes are identified, if none are. None takes
+    /// those that are shown away.
+    void useMeasured(std::map<std::string, MeasuredPlant> plants);
+    /// Without one no gains are opened and saved.
+    void setFileChooser(FileChooser chooser);
     const AxisLoops& loops() const { return m_loops; }
     const std::string& axis() const { return m_axis; }
 
@@ -58,7 +67,6 @@ private:
     void onValues();
     void chooseAxis(const std::string& axis);
     void chooseMethod();
-    void refreshTargets();
     void takeTargets();
     void takeEdited(const LoopLaw& law);
     void shape(const control::CrossoverAim& aim, control::CrossoverPriority priority);
@@ -72,6 +80,8 @@ private:
     void apply();
     void finishApply(const Result<ApplyAxesResult>& result);
     void restore();
+    void takeFromFile(const QString& path, const AxisGainsFile& gains);
+    void refreshMeasured();
     void showError(const Error& error);
 
     Workbench& m_bench;
@@ -84,21 +94,18 @@ private:
     std::optional<ApplyAxesResult> m_verified;
 
     widgets::MessageBar* m_message = nullptr;
+    QFormLayout* m_form = nullptr;
     QComboBox* m_axes = nullptr;
     QComboBox* m_method = nullptr;
-    struct Target {
-        QLabel* name;
-        widgets::OptionalNumberEdit* edit;
-        const char* key; ///< of control::readsTarget
-        std::optional<double> control::DesignTargets::*value;
-    };
-    std::vector<Target> m_targets;
+    AxisTargets* m_targets = nullptr;
     AxisGainEditor* m_gains = nullptr;
     LoopSliders* m_sliders = nullptr;
     QComboBox* m_scope = nullptr; ///< what Apply and verify means
     Preflight* m_preflight = nullptr;
     QPushButton* m_apply = nullptr;
     QPushButton* m_restore = nullptr;
+    AxisGainFiles* m_gainFiles = nullptr;
+    QPushButton* m_forget = nullptr; ///< takes the measured response of the axis away
     widgets::ProgressRow* m_progress = nullptr;
     widgets::VerdictView* m_verdict = nullptr;
     PageChooser* m_figures = nullptr;

@@ -144,6 +144,9 @@ void TunePanel::onDevice() {
     const std::uint64_t device = session.state() == SessionState::Lost ? 0 : session.deviceNumber();
     if (std::exchange(m_deviceNumber, device) != device) {
         m_before.clear(); // nothing of another one was replaced
+        if (m_axes != nullptr) {
+            m_axes->useMeasured({});
+        }
         leaveGains();
         forgetVerification();
     }
@@ -166,12 +169,21 @@ void TunePanel::showPage() {
 }
 
 void TunePanel::useAxisModel(const AxisModelFile& model) {
+    axisPanel().setModel(model);
+    showPage();
+}
+
+AxisTunePanel& TunePanel::axisPanel() {
     if (m_axes == nullptr) {
         m_axes = new AxisTunePanel(m_bench, m_pages);
+        m_axes->setFileChooser(m_chooser);
         m_pages->addWidget(m_axes);
     }
-    m_axes->setModel(model);
-    showPage();
+    return *m_axes;
+}
+
+void TunePanel::useMeasuredAxes(const AxesFrequencyResult& response) {
+    axisPanel().useMeasured(measuredPlants(response));
 }
 
 void TunePanel::refreshModel() {

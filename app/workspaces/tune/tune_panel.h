@@ -4,6 +4,7 @@
 #include "app/documents/frequency_file.h"
 #include "app/documents/model_file.h"
 #include "app/procedures/apply/apply_procedure.h"
+#include "app/procedures/frequency/axes_frequency.h"
 #include "app/workbench/file_chooser.h"
 #include "app/workbench/file_queue.h"
 #include "app/workbench/latest_task.h"
@@ -88,6 +89,8 @@ public:
     void useUltimate(double gain_A_per_rad, double period_s);
     /// Gains for the axes of a device with several, identified just now.
     void useAxisModel(const AxisModelFile& model);
+    /// A measured response of several axes in their open loops, now or once they are identified.
+    void useMeasuredAxes(const AxesFrequencyResult& response);
     /// What runs on the device lasts longer than its power from now on.
     void onSavedInDevice();
     /// What was done to the proposed gains, taken back and done again; named after it.
@@ -181,6 +184,7 @@ private:
     void refreshOutlook();
     void growVerification();
     void refreshModel();
+    AxisTunePanel& axisPanel();
     void showPage();
     void forgetRestored();
     void onDevice();
@@ -266,7 +270,7 @@ private:
     QSplitter* m_splitter = nullptr;
     QStackedWidget* m_pages = nullptr;
     widgets::EmptyState* m_empty = nullptr;
-    AxisTunePanel* m_axes = nullptr; ///< once axes were identified
+    AxisTunePanel* m_axes = nullptr; ///< once axes were identified or measured
     widgets::MessageBar* m_message = nullptr;
     QLabel* m_model = nullptr;
     TuneForm* m_form = nullptr;

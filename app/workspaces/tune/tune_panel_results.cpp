@@ -8,6 +8,7 @@
 #include "app/workspaces/parts/page_chooser.h"
 #include "app/workspaces/parts/preflight.h"
 #include "app/workspaces/parts/quality_view.h"
+#include "app/workspaces/tune/axis_tune_panel.h"
 #include "app/workspaces/tune/filter_editor.h"
 #include "app/workspaces/tune/gain_editor.h"
 #include "app/workspaces/tune/loop_view.h"
@@ -362,6 +363,9 @@ void TunePanel::setFileChooser(FileChooser chooser) {
     m_save->setVisible(bool(m_chooser.save));
     m_open->setVisible(bool(m_chooser.open));
     m_measure->setVisible(bool(m_chooser.open));
+    if (m_axes != nullptr) {
+        m_axes->setFileChooser(m_chooser);
+    }
 }
 
 void TunePanel::tellOfDevice(const widgets::Message& message) {

@@ -1,9 +1,13 @@
 #include "app/window/docks/dock_layout.h"
 #include "app/window/file_dialogs.h"
 #include "app/window/panel_connections.h"
+#include "app/wizards/frequency_panel.h"
 #include "app/workspaces/recordings/recordings_panel.h"
+#include "app/workspaces/tune/axis_tune_panel.h"
+#include "app/workspaces/tune/tune_panel.h"
 #include "tests/app/window/window_test.h"
 #include "tests/app/workspaces/published_motor.h"
+#include "tests/app/workspaces/tune/axis_model_fixture.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/optional_number_edit.h"
 #include "widgets/controls/stop_button.h"
@@ -13,6 +17,7 @@
 #include <QPushButton>
 #include <qtadvanceddocking/DockWidget.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 
 namespace halbench::app {
@@ -81,6 +86,33 @@ TEST_F(PanelConnectionsTest, aMeasuredResponseIsUsedInTune) {
     QTest::mouseClick(button("frequency", "Use in Tune"), Qt::LeftButton);
     EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
     ASSERT_TRUE(wait([&] { return button("tune", "Remove the response") != nullptr; }));
+}
+
+// A response of several axes waits in Tune until the axes are identified.
+TEST_F(PanelConnectionsTest, aMeasuredResponseOfAxesIsUsedInTune) {
+    open();
+    window->connectDevice("sim:planar?imperfections=off");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window->bench().deviceValues().empty(); }, Patience_ms));
+    AxesFrequencyResult result;
+    AxisResponse axis;
+    axis.axis.id = "y";
+    axis.law.kp_A_per_rad = 660.0;
+    axis.law.period_s = result.period_s;
+    result.axes.push_back(axis);
+    AxesFrequencyPoint point;
+    point.plant.frequency_rad_s = 50.0;
+    point.plant.coherence = Eigen::VectorXd::Constant(1, 0.99);
+    point.loop.loops.push_back({-660.0 / (0.64 * 50.0 * 50.0), 0.0});
+    point.isUsed = {true};
+    result.points.push_back(point);
+    Q_EMIT static_cast<FrequencyPanel*>(window->docks().panel("frequency"))->axesUseRequested(result);
+    EXPECT_EQ(window->docks().perspective(), Perspective::Tune);
+    auto* tune = static_cast<TunePanel*>(window->docks().panel("tune"));
+    tune->useAxisModel(platenModelFile());
+    auto* axes = tune->findChild<AxisTunePanel*>();
+    ASSERT_NE(axes, nullptr);
+    EXPECT_TRUE(wait([&] { return axes->loops().measured("y").has_value(); }));
+    EXPECT_FALSE(axes->loops().isMeasured("x"));
 }
 
 TEST_F(PanelConnectionsTest, aRecordingIsAskedOfTuneWhatIf) {

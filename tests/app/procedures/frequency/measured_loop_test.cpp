@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <cmath>
+#include <complex>
+#include <utility>
+#include <vector>
 
 namespace halbench::app {
 namespace {
@@ -38,6 +42,67 @@ TEST(MeasuredLoopTest, otherGainsOnTheMeasuredPlantAreTheLoopInSeries) {
         EXPECT_NEAR(loop->magnitude_dB[i], 20.0 * std::log10(std::abs(L)), 1e-9);
         EXPECT_NEAR(std::remainder(loop->phase_deg[i] - radiansToDegrees(std::arg(L)), 360.0), 0.0, 1e-9);
     }
+}
+
+// The loop of each axis, cut open while the others stay closed, over a law of K_P alone and its delay.
+TEST(MeasuredLoopTest, thePlantOfAnAxisIsItsLoopOverTheLawThatRan) {
+    AxesFrequencyResult result;
+    result.period_s = 1e-3;
+    for (const auto& [id, gain] : {std::pair("x", 660.0), std::pair("phi", 3.864)}) {
+        AxisResponse axis;
+        axis.axis.id = id;
+        axis.law.kp_A_per_rad = gain;
+        axis.law.ki_A_per_rad_s = 0.0;
+        axis.law.period_s = 1e-3;
+        axis.law.delaySamples = 1;
+        result.axes.push_back(axis);
+    }
+    const std::vector<std::complex<double>> masses = {1.0 / 0.64, 1e3};
+    for (const double w : {10.0, 50.0, 100.0}) {
+        AxesFrequencyPoint point;
+        point.plant.frequency_rad_s = w;
+        point.plant.coherence = Eigen::Vector2d(0.99, 0.5);
+        point.isUsed = {true, false};
+        for (std::size_t i = 0; i < masses.size(); ++i) {
+            const std::complex<double> plant = -masses[i] / (w * w);
+            point.loop.loops.push_back(
+                {result.axes[i].law.kp_A_per_rad * std::polar(1.0, -1e-3 * w) * plant, 0.0});
+        }
+        result.points.push_back(point);
+    }
+    const auto plants = measuredPlants(result);
+    ASSERT_EQ(plants.size(), 2U);
+    const MeasuredPlant& phi = plants.at("phi");
+    ASSERT_EQ(phi.points.size(), 3U);
+    EXPECT_FALSE(phi.points.front().isUsed);
+    EXPECT_EQ(phi.points.front().coherence, 0.5);
+    EXPECT_TRUE(plants.at("x").points.front().isUsed);
+    for (const MeasuredPlant::Point& point : phi.points) {
+        const double w = 2.0 * Pi * point.frequency_Hz;
+        EXPECT_NEAR(std::abs(point.value + 1e3 / (w * w)) * w * w / 1e3, 0.0, 1e-9) << w;
+    }
+}
+
+// Second route: the polynomials of the law with its filter on the derivative.
+TEST(MeasuredLoopTest, aFilterOfTheLawIsInTheLoop) {
+    const control::LoopTiming timing{0.01, 1};
+    control::FilteredLaw law;
+    law.gains = recommended();
+    law.gains.filter_s = 0.02;
+    const auto filtered = measuredLoop(exactPlant(), law, timing);
+    ASSERT_TRUE(filtered) << filtered.error().message;
+    const auto controller = control::filteredController(law, timing.period_s);
+    ASSERT_TRUE(controller);
+    const MeasuredPlant plant = exactPlant();
+    for (std::size_t i = 0; i < plant.points.size(); ++i) {
+        const double w = 2.0 * Pi * plant.points[i].frequency_Hz;
+        const std::complex<double> L =
+            controller->atFrequency(w) * std::polar(1.0, -w * 0.01) * plant.points[i].value;
+        EXPECT_NEAR(filtered->magnitude_dB[i], 20.0 * std::log10(std::abs(L)), 1e-9);
+    }
+    const auto plain = measuredLoop(exactPlant(), recommended(), timing);
+    ASSERT_TRUE(plain);
+    EXPECT_GT(plain->magnitude_dB.back() - filtered->magnitude_dB.back(), 3.0); // past 1/filter_s = 50 rad/s
 }
 
 TEST(MeasuredLoopTest, thePhaseRunsOnAndAPointThatIsNotCoherentDoesNotLeadItAstray) {

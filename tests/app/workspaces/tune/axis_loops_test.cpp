@@ -1,7 +1,12 @@
 #include "app/workspaces/tune/axis_loops.h"
+#include "control/base/units.h"
 #include "tests/app/workspaces/tune/axis_model_fixture.h"
 
 #include <gtest/gtest.h>
+
+#include <complex>
+#include <string>
+#include <vector>
 
 namespace halbench::app {
 namespace {
@@ -64,6 +69,93 @@ TEST(AxisLoops, aCrossoverIsReachedWithItsMargin) {
     EXPECT_EQ(design->limit, control::CrossoverLimit::None);
     EXPECT_NEAR(design->reached.crossover_rad_s, aim->crossover_rad_s, 1e-6 * aim->crossover_rad_s);
     EXPECT_FALSE(AxisLoops().filtered("x", *aim, control::CrossoverPriority::Margin));
+}
+
+AxisGainsFile fileOf(const AxisLoops& loops, const std::vector<std::string>& axes,
+                     const char* model = "planar") {
+    ResultHeader header;
+    header.schema = "halbench.gains/1";
+    header.device.emplace();
+    header.device->model = model;
+    const auto result = loops.result(axes);
+    EXPECT_TRUE(result) << result.error().message;
+    const auto text = toJsonText(axisGainsDocument(header, result.value()));
+    auto file = parseAxisGains(*text, "gains.json");
+    EXPECT_TRUE(file) << file.error().message;
+    return file ? *file : AxisGainsFile{};
+}
+
+TEST(AxisLoops, gainsThatWereSavedAreProposedAgain) {
+    AxisLoops loops = loopsOf();
+    loops.choice("y").method = "pole-placement";
+    loops.choice("y").targets.omega_rad_s = 25.0;
+    loops.choice("y").targets.zeta = 1.0;
+    answerAll(loops);
+    AxisLoops others = loopsOf();
+    const auto missing = others.takeGains(fileOf(loops, loops.axes()));
+    ASSERT_TRUE(missing) << missing.error().message;
+    EXPECT_TRUE(missing->empty());
+    answerAll(others);
+    for (const std::string& axis : loops.axes()) {
+        const TuneResult& saved = (*loops.answer(axis))->proposed;
+        const TuneResult& opened = (*others.answer(axis))->proposed;
+        EXPECT_EQ(others.choice(axis).method, "edited");
+        EXPECT_NEAR(opened.law.gains.proportional / saved.law.gains.proportional, 1.0, 1e-9) << axis;
+        EXPECT_NEAR(opened.law.gains.integral / saved.law.gains.integral, 1.0, 1e-9) << axis;
+        EXPECT_NEAR(opened.law.gains.derivative / saved.law.gains.derivative, 1.0, 1e-9) << axis;
+        ASSERT_TRUE(saved.filtered && opened.filtered) << axis;
+        EXPECT_NEAR(opened.filtered->proportionalWeight, saved.filtered->proportionalWeight, 1e-9) << axis;
+        EXPECT_NEAR(opened.filtered->gains.filter_s.value_or(0.0),
+                    saved.filtered->gains.filter_s.value_or(0.0), 1e-12)
+            << axis;
+    }
+}
+
+TEST(AxisLoops, gainsOfOneAxisLeaveTheOthersTheirOwn) {
+    AxisLoops loops = loopsOf();
+    answerAll(loops);
+    AxisLoops others = loopsOf();
+    const auto missing = others.takeGains(fileOf(loops, {"y"}));
+    ASSERT_TRUE(missing);
+    EXPECT_EQ(*missing, (std::vector<std::string>{"x", "phi"}));
+    EXPECT_EQ(others.choice("y").method, "edited");
+    EXPECT_EQ(others.choice("x").method, "recommended");
+}
+
+TEST(AxisLoops, gainsOfAnotherActuatorOrOtherAxesAreRefused) {
+    AxisLoops loops = loopsOf();
+    answerAll(loops);
+    const auto foreign = loops.takeGains(fileOf(loops, {"x"}, "other"));
+    ASSERT_FALSE(foreign);
+    EXPECT_EQ(foreign.error().code, ErrorCode::InvalidInput);
+    EXPECT_NE(foreign.error().message.find("'other'"), std::string::npos);
+    AxisGainsFile elsewhere = fileOf(loops, {"x"});
+    elsewhere.axes = {"z"};
+    EXPECT_FALSE(loops.takeGains(elsewhere));
+    EXPECT_EQ(loops.choice("x").method, "recommended");
+}
+
+// The sampled double integrator k T^2/2 (z + 1)/(z - 1)^2 is the free mass but for its damping of 0.16/s,
+// 0.2 % of a radian at the crossover: there the measured loop is 0 dB and shows the predicted margin.
+TEST(AxisLoops, aMeasuredMassHasTheCrossoverAndMarginOfThePrediction) {
+    AxisLoops loops = loopsOf();
+    answerAll(loops);
+    const AnalysisResult& predicted = (*loops.answer("x"))->proposed.predicted;
+    ASSERT_TRUE(predicted.margins.gainCrossover_rad_s);
+    const double w = *predicted.margins.gainCrossover_rad_s;
+    const std::complex<double> z = std::polar(1.0, 1e-3 * w);
+    MeasuredPlant plant;
+    plant.period_s = 1e-3;
+    plant.points.push_back({w / (2.0 * Pi), 0.5e-6 / 0.64 * (z + 1.0) / ((z - 1.0) * (z - 1.0)), true});
+    EXPECT_FALSE(loops.measured("x"));
+    loops.setMeasured({{"x", plant}});
+    EXPECT_FALSE(loops.measured("y"));
+    const auto measured = loops.measured("x");
+    ASSERT_TRUE(measured);
+    EXPECT_NEAR(measured->magnitude_dB.front(), 0.0, 0.02);
+    EXPECT_NEAR(measured->phase_deg.front(), predicted.margins.phaseMargin_deg - 180.0, 0.3);
+    loops.forgetMeasured("x");
+    EXPECT_FALSE(loops.isMeasured("x"));
 }
 
 } // namespace

@@ -1,12 +1,16 @@
 #include "app/workspaces/tune/axis_tune_panel.h"
+#include "control/base/units.h"
 #include "tests/app/workspaces/bench_fixture.h"
 #include "tests/app/workspaces/tune/axis_model_fixture.h"
 
 #include <QComboBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QTemporaryDir>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -63,6 +67,77 @@ TEST_F(AxisTunePanelTest, eachAxisKeepsItsOwnMethod) {
     EXPECT_EQ(box("Gains")->currentData().toString(), "recommended");
     choose("Axis", "x");
     EXPECT_EQ(box("Gains")->currentData().toString(), "bandwidth");
+}
+
+TEST_F(AxisTunePanelTest, savedGainsOfAllAxesAreOpenedAgain) {
+    open();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("gains.json");
+    const auto chosen = [&](QWidget*, const FileQuestion&) { return path; };
+    panel->setFileChooser({chosen, chosen});
+    choose("Gains", "pole-placement");
+    QTest::keyClicks(find<QLineEdit>(*panel, "frequency [rad/s]"), "25");
+    QTest::keyClicks(find<QLineEdit>(*panel, "damping ratio"), "1");
+    ASSERT_TRUE(answered());
+    auto* save = find<QAbstractButton>(*panel, "Save gains\u2026");
+    ASSERT_TRUE(wait([&] { return save->isEnabled(); })); // when the loops are those of the last target
+    const double wanted = (*panel->loops().answer("x"))->proposed.law.gains.proportional;
+    QTest::mouseClick(save, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return shows("Saved as"); }));
+    choose("Gains", "recommended");
+    ASSERT_TRUE(wait([&] {
+        const auto* answer = panel->loops().answer("x");
+        return answer != nullptr && *answer && (*answer)->proposed.law.gains.proportional != wanted;
+    }));
+    QTest::mouseClick(find<QAbstractButton>(*panel, "Open gains\u2026"), Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return box("Gains")->currentData().toString() == "edited"; }));
+    ASSERT_TRUE(answered());
+    ASSERT_TRUE(wait([&] {
+        const auto* answer = panel->loops().answer("x");
+        return answer != nullptr && *answer &&
+               std::abs((*answer)->proposed.law.gains.proportional / wanted - 1.0) < 1e-9;
+    }));
+    EXPECT_TRUE(shows("Gains of"));
+}
+
+TEST_F(AxisTunePanelTest, gainsOfAMotorAreRefusedInPlace) {
+    open();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("gains.json");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(R"({"schema": "halbench.gains/1", "gains": {"kp": {"value": 40, "unit": "A/rad"}}})");
+    file.close();
+    const auto chosen = [&](QWidget*, const FileQuestion&) { return path; };
+    panel->setFileChooser({chosen, chosen});
+    QTest::mouseClick(find<QAbstractButton>(*panel, "Open gains\u2026"), Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return shows("gains.json"); }));
+    EXPECT_EQ(box("Gains")->currentData().toString(), "recommended");
+}
+
+// A free mass as measured: its points lie in the picture until they are removed, axis by axis.
+TEST_F(AxisTunePanelTest, aMeasuredResponseIsShownUntilItIsRemoved) {
+    open();
+    MeasuredPlant plant;
+    plant.period_s = 1e-3;
+    for (const double frequency_Hz : {2.0, 5.0, 10.0, 20.0}) {
+        const double w = 2.0 * Pi * frequency_Hz;
+        plant.points.push_back({frequency_Hz, -1.0 / (0.64 * w * w), frequency_Hz < 15.0, 0.95});
+    }
+    auto* remove = find<QAbstractButton>(*panel, "Remove the response");
+    EXPECT_FALSE(remove->isVisible());
+    choose("Axis", "y");
+    panel->useMeasured({{"x", plant}}); // one axis was measured: that is shown
+    EXPECT_EQ(panel->axis(), "x");
+    EXPECT_TRUE(remove->isVisible());
+    EXPECT_TRUE(shows("3 of 4 frequencies"));
+    ASSERT_TRUE(panel->loops().measured("x"));
+    choose("Axis", "y");
+    EXPECT_FALSE(remove->isVisible());
+    choose("Axis", "x");
+    QTest::mouseClick(remove, Qt::LeftButton);
+    EXPECT_FALSE(panel->loops().measured("x"));
+    EXPECT_FALSE(remove->isVisible());
 }
 
 TEST_F(AxisTunePanelTest, theChosenAxisIsAppliedVerifiedAndRestored) {
