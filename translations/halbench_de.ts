@@ -103,6 +103,18 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>&apos;line&apos; must be &apos;solid&apos;, &apos;dash&apos;, &apos;dot&apos; or &apos;dash-dot&apos;</source>
+        <translation>„line“ muss „solid“, „dash“, „dot“ oder „dash-dot“ sein</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a curve has colour, line, name</source>
+        <translation>unbekannter Schlüssel „{}“; eine Kurve hat colour, line, name</translation>
+    </message>
+    <message>
+        <source>&apos;curves&apos; must be a table of signals, [monitor.curves]</source>
+        <translation>„curves“ muss eine Tabelle von Signalen sein, [monitor.curves]</translation>
+    </message>
+    <message>
         <source>Coulomb friction</source>
         <translation>Coulomb-Reibung</translation>
     </message>
@@ -8479,8 +8491,8 @@
         <translation>{}; nichts wurde geschrieben</translation>
     </message>
     <message>
-        <source>[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger</source>
-        <translation>[monitor] hat follow und cursors (true oder false), span_s, rate_hz und trigger</translation>
+        <source>[monitor] has follow and cursors (true or false), span_s, rate_hz, curves and trigger</source>
+        <translation>[monitor] hat follow und cursors (true oder false), span_s, rate_hz, curves und trigger</translation>
     </message>
     <message>
         <source>&apos;rate_hz&apos; must not be negative</source>
@@ -17936,32 +17948,44 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
 <context>
     <name>halbench::widgets::LiveLegend</name>
     <message>
-        <source>Space hides or shows the curve, R changes its axis, U its unit, Ctrl with an arrow key moves it to the next plot, Ctrl+Shift+Down to a new plot, Ctrl+Shift+Right to a new plot beside, Delete removes it.</source>
-        <translation>Leertaste blendet die Kurve aus oder ein, R wechselt ihre Achse, U ihre Einheit, Strg mit Pfeiltaste verschiebt sie ins nächste Diagramm, Strg+Umschalt+Herunter in ein neues Diagramm, Strg+Umschalt+Rechts in ein neues daneben, Entf entfernt sie.</translation>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Move to</source>
+        <translation>Verschieben nach</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Wert kopieren</translation>
+    </message>
+    <message>
+        <source>Space hides or shows the curve, F2 renames it, R changes its axis, U its unit, Ctrl with an arrow key moves it to the next plot, Ctrl+Shift+Down to a new plot, Ctrl+Shift+Right to a new plot beside, Delete removes it.</source>
+        <translation>Leertaste blendet die Kurve aus oder ein, F2 benennt sie um, R wechselt ihre Achse, U ihre Einheit, Strg mit Pfeiltaste verschiebt sie ins nächste Diagramm, Strg+Umschalt+Herunter in ein neues Diagramm, Strg+Umschalt+Rechts in ein neues daneben, Entf entfernt sie.</translation>
     </message>
     <message>
         <source>New plot on the right</source>
         <translation>Neues Diagramm rechts</translation>
     </message>
     <message>
-        <source>Move to the plot on the right</source>
-        <translation>Ins Diagramm rechts verschieben</translation>
+        <source>Plot on the right</source>
+        <translation>Diagramm rechts</translation>
     </message>
     <message>
-        <source>Move to the plot on the left</source>
-        <translation>Ins Diagramm links verschieben</translation>
+        <source>Plot on the left</source>
+        <translation>Diagramm links</translation>
     </message>
     <message>
         <source>New plot</source>
         <translation>Neues Diagramm</translation>
     </message>
     <message>
-        <source>Move to the plot below</source>
-        <translation>Ins Diagramm darunter verschieben</translation>
+        <source>Plot below</source>
+        <translation>Diagramm darunter</translation>
     </message>
     <message>
-        <source>Move to the plot above</source>
-        <translation>Ins Diagramm darüber verschieben</translation>
+        <source>Plot above</source>
+        <translation>Diagramm darüber</translation>
     </message>
     <message>
         <source>Use right axis</source>
@@ -18025,6 +18049,14 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
 </context>
 <context>
     <name>halbench::widgets::LivePlotStack</name>
+    <message>
+        <source>Own time axis, %1 s</source>
+        <translation>Eigene Zeitachse, %1 s</translation>
+    </message>
+    <message>
+        <source>Recorded data, %1 s</source>
+        <translation>Aufgezeichnete Daten, %1 s</translation>
+    </message>
     <message>
         <source>Paused for %1 s</source>
         <translation>Seit %1 s angehalten</translation>
@@ -18420,6 +18452,77 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>Equal sizes</source>
         <translation>Gleiche Größen</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::LookMenu</name>
+    <message>
+        <source>Blue</source>
+        <translation>Blau</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>Rosa</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>Violett</translation>
+    </message>
+    <message>
+        <source>Ochre</source>
+        <translation>Ocker</translation>
+    </message>
+    <message>
+        <source>Light blue</source>
+        <translation>Hellblau</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>Durchgezogen</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>Gestrichelt</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>Gepunktet</translation>
+    </message>
+    <message>
+        <source>Dash-dot</source>
+        <translation>Strichpunktiert</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>Automatic colour and line</source>
+        <translation>Farbe und Linie automatisch</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>Line of %1</source>
+        <translation>Linie von %1</translation>
     </message>
 </context>
 <context>

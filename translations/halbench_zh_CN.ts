@@ -103,6 +103,18 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source>&apos;line&apos; must be &apos;solid&apos;, &apos;dash&apos;, &apos;dot&apos; or &apos;dash-dot&apos;</source>
+        <translation>“line”必须是“solid”、“dash”、“dot”或“dash-dot”</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;{}&apos;; a curve has colour, line, name</source>
+        <translation>未知键“{}”；曲线有 colour、line、name</translation>
+    </message>
+    <message>
+        <source>&apos;curves&apos; must be a table of signals, [monitor.curves]</source>
+        <translation>“curves”必须是信号表，[monitor.curves]</translation>
+    </message>
+    <message>
         <source>Coulomb friction</source>
         <translation>库仑摩擦</translation>
     </message>
@@ -8479,8 +8491,8 @@
         <translation>{}；未写入任何内容</translation>
     </message>
     <message>
-        <source>[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger</source>
-        <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s、rate_hz 和 trigger</translation>
+        <source>[monitor] has follow and cursors (true or false), span_s, rate_hz, curves and trigger</source>
+        <translation>[monitor] 有 follow 和 cursors（true 或 false）、span_s、rate_hz、curves 和 trigger</translation>
     </message>
     <message>
         <source>&apos;rate_hz&apos; must not be negative</source>
@@ -17923,32 +17935,44 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
 <context>
     <name>halbench::widgets::LiveLegend</name>
     <message>
-        <source>Space hides or shows the curve, R changes its axis, U its unit, Ctrl with an arrow key moves it to the next plot, Ctrl+Shift+Down to a new plot, Ctrl+Shift+Right to a new plot beside, Delete removes it.</source>
-        <translation>空格键隐藏或显示曲线，R 更换坐标轴，U 更换单位，Ctrl 加方向键移到相邻曲线图，Ctrl+Shift+下移到新曲线图，Ctrl+Shift+右移到旁边的新曲线图，Delete 移除。</translation>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Move to</source>
+        <translation>移到</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>复制数值</translation>
+    </message>
+    <message>
+        <source>Space hides or shows the curve, F2 renames it, R changes its axis, U its unit, Ctrl with an arrow key moves it to the next plot, Ctrl+Shift+Down to a new plot, Ctrl+Shift+Right to a new plot beside, Delete removes it.</source>
+        <translation>空格键隐藏或显示曲线，F2 重命名，R 更换坐标轴，U 更换单位，Ctrl 加方向键移到相邻曲线图，Ctrl+Shift+下移到新曲线图，Ctrl+Shift+右移到旁边的新曲线图，Delete 移除。</translation>
     </message>
     <message>
         <source>New plot on the right</source>
         <translation>在右侧新建曲线图</translation>
     </message>
     <message>
-        <source>Move to the plot on the right</source>
-        <translation>移到右边的曲线图</translation>
+        <source>Plot on the right</source>
+        <translation>右边的曲线图</translation>
     </message>
     <message>
-        <source>Move to the plot on the left</source>
-        <translation>移到左边的曲线图</translation>
+        <source>Plot on the left</source>
+        <translation>左边的曲线图</translation>
     </message>
     <message>
         <source>New plot</source>
         <translation>新建曲线图</translation>
     </message>
     <message>
-        <source>Move to the plot below</source>
-        <translation>移到下方的曲线图</translation>
+        <source>Plot below</source>
+        <translation>下方的曲线图</translation>
     </message>
     <message>
-        <source>Move to the plot above</source>
-        <translation>移到上方的曲线图</translation>
+        <source>Plot above</source>
+        <translation>上方的曲线图</translation>
     </message>
     <message>
         <source>Use right axis</source>
@@ -18012,6 +18036,14 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
 </context>
 <context>
     <name>halbench::widgets::LivePlotStack</name>
+    <message>
+        <source>Own time axis, %1 s</source>
+        <translation>独立时间轴，%1 s</translation>
+    </message>
+    <message>
+        <source>Recorded data, %1 s</source>
+        <translation>已记录的数据，%1 s</translation>
+    </message>
     <message>
         <source>Paused for %1 s</source>
         <translation>已暂停 %1 s</translation>
@@ -18407,6 +18439,77 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
     <message>
         <source>Equal sizes</source>
         <translation>大小相等</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::LookMenu</name>
+    <message>
+        <source>Blue</source>
+        <translation>蓝色</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>橙色</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>绿色</translation>
+    </message>
+    <message>
+        <source>Pink</source>
+        <translation>粉色</translation>
+    </message>
+    <message>
+        <source>Purple</source>
+        <translation>紫色</translation>
+    </message>
+    <message>
+        <source>Ochre</source>
+        <translation>赭色</translation>
+    </message>
+    <message>
+        <source>Light blue</source>
+        <translation>浅蓝色</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>灰色</translation>
+    </message>
+    <message>
+        <source>Solid</source>
+        <translation>实线</translation>
+    </message>
+    <message>
+        <source>Dashed</source>
+        <translation>虚线</translation>
+    </message>
+    <message>
+        <source>Dotted</source>
+        <translation>点线</translation>
+    </message>
+    <message>
+        <source>Dash-dot</source>
+        <translation>点划线</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>颜色</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>%1 的颜色</translation>
+    </message>
+    <message>
+        <source>Automatic colour and line</source>
+        <translation>自动颜色和线型</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>线型</translation>
+    </message>
+    <message>
+        <source>Line of %1</source>
+        <translation>%1 的线型</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,7 @@
 
 namespace halbench::app {
 
-FileQueue::FileQueue(QObject* parent) : QObject(parent), m_thread([this] { serve(); }) {}
+FileQueue::FileQueue(QObject* parent) : QObject(parent) {}
 
 FileQueue::~FileQueue() {
     {
@@ -12,7 +12,9 @@ FileQueue::~FileQueue() {
         m_isClosing = true;
     }
     m_wake.notify_one();
-    m_thread.join();
+    if (m_thread.joinable()) {
+        m_thread.join();
+    }
     for (const auto& [number, error] : m_untold) {
         std::fprintf(stderr, "halbench: %s; %s\n", error.message.c_str(), error.hint.c_str());
     }
@@ -22,6 +24,9 @@ void FileQueue::add(Job job) {
     {
         const std::lock_guard lock(m_mutex);
         m_jobs.push_back(std::move(job));
+    }
+    if (!m_thread.joinable()) { // a window has dozens of queues, most of which never get a job
+        m_thread = std::thread([this] { serve(); });
     }
     m_wake.notify_one();
 }

@@ -2,7 +2,7 @@
 
 namespace halbench::app {
 
-LatestTask::LatestTask(QObject* parent) : QObject(parent), m_thread([this] { serve(); }) {}
+LatestTask::LatestTask(QObject* parent) : QObject(parent) {}
 
 LatestTask::~LatestTask() {
     {
@@ -11,7 +11,9 @@ LatestTask::~LatestTask() {
         m_waiting.reset();
     }
     m_wake.notify_one();
-    m_thread.join();
+    if (m_thread.joinable()) {
+        m_thread.join();
+    }
 }
 
 void LatestTask::cancel() {
@@ -25,6 +27,9 @@ void LatestTask::start(std::function<void()> job) {
     {
         const std::lock_guard lock(m_mutex);
         m_waiting = std::move(job);
+    }
+    if (!m_thread.joinable()) { // a window has dozens of tasks, most of which are never asked
+        m_thread = std::thread([this] { serve(); });
     }
     m_wake.notify_one();
 }

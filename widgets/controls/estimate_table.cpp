@@ -2,6 +2,7 @@
 
 #include "widgets/controls/copy_menu.h"
 #include "widgets/language/display_units.h"
+#include "widgets/language/whole_numbers.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QClipboard>
@@ -50,6 +51,7 @@ EstimateTable::EstimateTable(QWidget* parent) : QTableWidget(0, Columns, parent)
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setTabKeyNavigation(false);
+    setItemDelegate(new WholeNumbers(this));
     addCopyMenu(*this);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);

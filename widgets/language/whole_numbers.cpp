@@ -10,6 +10,23 @@ namespace {
 
 const QChar Dots(0x2026);
 
+/// Of the text in one line; where it may be wrapped, of its longest word.
+int leastWidth(const QStyleOptionViewItem& cell) {
+    const bool isWrapped = (cell.features & QStyleOptionViewItem::WrapText) != 0;
+    int width_px = 0;
+    for (const QString& piece : isWrapped ? cell.text.split(QLatin1Char(' ')) : QStringList{cell.text}) {
+        width_px = std::max(width_px, cell.fontMetrics.horizontalAdvance(piece));
+    }
+    return width_px;
+}
+
+bool isTooNarrow(const QStyleOptionViewItem& cell, const QAbstractItemView& view) {
+    const QStyle& style = *view.style();
+    const int margins_px = 2 * (style.pixelMetric(QStyle::PM_FocusFrameHMargin, &cell, &view) + 1);
+    const int room_px = style.subElementRect(QStyle::SE_ItemViewItemText, &cell, &view).width() - margins_px;
+    return leastWidth(cell) > room_px;
+}
+
 } // namespace
 
 bool readsAsNumber(const QString& text) {
@@ -29,7 +46,7 @@ void WholeNumbers::paint(QPainter* painter, const QStyleOptionViewItem& option,
         return;
     }
     const QRect seen = shown.rect & view->viewport()->rect();
-    if (seen.width() < shown.rect.width() && readsAsNumber(shown.text)) {
+    if ((seen.width() < shown.rect.width() || isTooNarrow(shown, *view)) && readsAsNumber(shown.text)) {
         shown.rect = seen;
         shown.text = Dots;
         shown.displayAlignment = Qt::AlignCenter;

@@ -7,8 +7,8 @@ namespace halbench::widgets {
 /// Whether a cut of the words would read as another number: they begin with a digit, after signs at most.
 bool readsAsNumber(const QString& text);
 
-/// Draws cells like any other table, but a number that the edge of its view cuts is three dots: "100" of
-/// "1001" is another number, not a part of it.
+/// Draws cells like any other table, but a number that the edge of its view or of its column cuts is three
+/// dots: "100" of "1001" is another number, not a part of it.
 class WholeNumbers : public QStyledItemDelegate {
     Q_OBJECT
 public:

@@ -16,6 +16,19 @@ namespace halbench::widgets {
 /// Pattern of a curve's line: the second eight curves of a plot are dashed, the next dotted, then both.
 enum class LinePattern { Solid, Dash, Dot, DashDot };
 
+/// Of a theme. A place among the looks of curves counts colours first, then patterns: 0 ... 31.
+inline constexpr int CurveColours = 8;
+inline constexpr int LinePatterns = 4;
+
+inline LinePattern patternAt(int place) {
+    return static_cast<LinePattern>(place / CurveColours % LinePatterns);
+}
+
+/// With the colour of a place.
+inline int placeWith(int colour, LinePattern pattern) {
+    return static_cast<int>(pattern) * CurveColours + colour % CurveColours;
+}
+
 /// Draws one signal straight from the history in device pixels, so that a frame costs pixels and not samples.
 /// On an RGB32 image of the canvas' size, which is what a live plot paints on, it sets the pixels itself; on
 /// anything else (an export) it draws lines.
@@ -25,6 +38,8 @@ public:
 
     const PlotCurve& curve() const { return m_curve; }
     LinePattern pattern() const { return m_pattern; }
+    void setPattern(LinePattern pattern) { m_pattern = pattern; }
+    void setOwnName(const QString& name) { m_curve.ownName = name; }
     const QColor& colour() const { return m_colour; }
     void setColour(const QColor& colour) { m_colour = colour; }
     /// Not owned; may be null. `drawn`, of the axis: nothing outside is shown although the axis may be

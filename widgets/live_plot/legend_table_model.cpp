@@ -38,7 +38,7 @@ std::optional<double> difference(const LegendNumbers& numbers) {
 } // namespace
 
 QString curveWords(const PlotCurve& curve) {
-    return curve.isRight ? LegendTableModel::tr("%1 (right)").arg(curve.label) : curve.label;
+    return curve.isRight ? LegendTableModel::tr("%1 (right)").arg(nameOf(curve)) : nameOf(curve);
 }
 
 void LegendTableModel::setCurves(const std::vector<HistoryCurve*>& curves) {
@@ -54,6 +54,21 @@ void LegendTableModel::setTheme(const Theme& theme) {
     if (!m_curves.empty()) {
         Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, Columns - 1));
     }
+}
+
+Qt::ItemFlags LegendTableModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags usual = QAbstractTableModel::flags(index);
+    return index.column() == Name ? usual | Qt::ItemIsEditable : usual;
+}
+
+/// The signal's own name is as no name.
+bool LegendTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    if (!index.isValid() || index.column() != Name || role != Qt::EditRole) {
+        return false;
+    }
+    const QString name = value.toString().simplified();
+    Q_EMIT renamed(index.row(), name == curve(index.row()).label ? QString() : name);
+    return true;
 }
 
 void LegendTableModel::setNumbers(const std::vector<LegendNumbers>& numbers) {
@@ -143,6 +158,8 @@ QVariant LegendTableModel::data(const QModelIndex& index, int role) const {
     switch (role) {
     case Qt::DisplayRole:
         return text(row, index.column());
+    case Qt::EditRole:
+        return index.column() == Name ? QVariant(nameOf(m_curves[row]->curve())) : QVariant();
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole:
         return index.column() == Name || (index.column() == Value && isStale(row)) ? QVariant(describe(row))

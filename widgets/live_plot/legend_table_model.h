@@ -38,13 +38,19 @@ public:
     /// The widest text a column can be expected to show, for its width.
     QString widestText(int row, Column column) const;
     bool isShown(int row) const { return m_curves[static_cast<std::size_t>(row)]->isVisible(); }
-    const PlotCurve& curve(int row) const { return m_curves[static_cast<std::size_t>(row)]->curve(); }
+    const PlotCurve& curve(int row) const { return item(row).curve(); }
+    const HistoryCurve& item(int row) const { return *m_curves[static_cast<std::size_t>(row)]; }
     bool isRight(int row) const { return m_curves[static_cast<std::size_t>(row)]->curve().isRight; }
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+Q_SIGNALS:
+    void renamed(int row, const QString& name); ///< empty: as the signal
 
 private:
     QString text(std::size_t row, int column) const;

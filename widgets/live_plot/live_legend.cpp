@@ -1,9 +1,12 @@
 #include "widgets/live_plot/live_legend.h"
 
+#include "widgets/live_plot/look_menu.h"
 #include "widgets/live_plot/unit_menu.h"
 
 #include <QAction>
+#include <QClipboard>
 #include <QContextMenuEvent>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QKeySequence>
@@ -58,9 +61,10 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     horizontalHeader()->setTextElideMode(Qt::ElideRight); // a narrow name's column says so
     setCursorColumnsShown(false, false);
     setAccessibleName(tr("Legend with live values"));
-    setAccessibleDescription(tr("Space hides or shows the curve, R changes its axis, U its unit, Ctrl with "
-                                "an arrow key moves it to the next plot, Ctrl+Shift+Down to a new plot, "
-                                "Ctrl+Shift+Right to a new plot beside, Delete removes it."));
+    setAccessibleDescription(
+        tr("Space hides or shows the curve, F2 renames it, R changes its axis, U its "
+           "unit, Ctrl with an arrow key moves it to the next plot, Ctrl+Shift+Down to a new plot, "
+           "Ctrl+Shift+Right to a new plot beside, Delete removes it."));
     setToolTip(accessibleDescription());
     connect(this, &QTableView::doubleClicked, this,
             [this](const QModelIndex& index) { Q_EMIT toggleRequested(index.row()); });
@@ -177,6 +181,10 @@ bool LiveLegend::run(const QKeySequence& keys) {
     }
     if (keys == QKeySequence(Qt::Key_Space)) {
         Q_EMIT toggleRequested(row);
+    } else if (keys == QKeySequence(Qt::Key_F2)) {
+        edit(m_table.index(row, LegendTableModel::Name));
+    } else if (keys == QKeySequence(QKeySequence::Copy)) {
+        copy(row);
     } else if (keys == QKeySequence(Qt::Key_R)) {
         Q_EMIT axisRequested(row);
     } else if (keys == QKeySequence(Qt::Key_U)) {
@@ -206,10 +214,12 @@ bool LiveLegend::event(QEvent* event) {
         const auto* press = static_cast<QKeyEvent*>(event);
         const int key = press->key();
         const auto modifiers = press->modifiers() & ~Qt::KeypadModifier;
-        const bool isPlain = modifiers == Qt::NoModifier && (key == Qt::Key_Space || key == Qt::Key_Delete ||
-                                                             key == Qt::Key_R || key == Qt::Key_U);
+        const bool isPlain =
+            modifiers == Qt::NoModifier && (key == Qt::Key_Space || key == Qt::Key_Delete ||
+                                            key == Qt::Key_R || key == Qt::Key_U || key == Qt::Key_F2);
         const bool isBeside = modifiers == (Qt::ControlModifier | Qt::ShiftModifier) && key == Qt::Key_Right;
-        if (currentIndex().isValid() && (isPlain || isBeside)) {
+        const bool isCopy = press->matches(QKeySequence::Copy);
+        if (currentIndex().isValid() && (isPlain || isBeside || isCopy)) {
             event->accept();
             return true;
         }
@@ -238,6 +248,32 @@ void LiveLegend::showUnits(int row) {
     }
 }
 
+/// Name, value and unit of the row as they are shown.
+void LiveLegend::copy(int row) const {
+    QStringList texts;
+    for (const auto column : {LegendTableModel::Name, LegendTableModel::Value, LegendTableModel::Unit}) {
+        texts << m_table.index(row, column).data().toString();
+    }
+    QGuiApplication::clipboard()->setText(texts.join(QLatin1Char('\t')));
+}
+
+QAction* LiveLegend::addKey(QMenu& menu, const QString& text, const QKeySequence& keys) {
+    QAction* action = menu.addAction(text);
+    action->setShortcut(keys);
+    connect(action, &QAction::triggered, this, [this, keys] { run(keys); });
+    return action;
+}
+
+void LiveLegend::addMoves(QMenu& menu) {
+    addKey(menu, tr("Plot above"), QKeySequence(QStringLiteral("Ctrl+Up")));
+    addKey(menu, tr("Plot below"), QKeySequence(QStringLiteral("Ctrl+Down")));
+    addKey(menu, tr("Plot on the left"), QKeySequence(QStringLiteral("Ctrl+Left")));
+    addKey(menu, tr("Plot on the right"), QKeySequence(QStringLiteral("Ctrl+Right")));
+    menu.addSeparator();
+    addKey(menu, tr("New plot"), QKeySequence(QStringLiteral("Ctrl+Shift+Down")));
+    addKey(menu, tr("New plot on the right"), QKeySequence(QStringLiteral("Ctrl+Shift+Right")));
+}
+
 void LiveLegend::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() == QContextMenuEvent::Mouse) {
         setCurrentIndex(indexAt(event->pos()));
@@ -249,23 +285,22 @@ void LiveLegend::contextMenuEvent(QContextMenuEvent* event) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->setAccessibleName(tr("Selected curve"));
-    const auto add = [&](const QString& text, const QKeySequence& keys) {
-        QAction* action = menu->addAction(text);
-        action->setShortcut(keys);
-        connect(action, &QAction::triggered, this, [this, keys] { run(keys); });
-    };
-    add(m_table.isShown(row) ? tr("Hide") : tr("Show"), QKeySequence(Qt::Key_Space));
-    add(m_table.isRight(row) ? tr("Use left axis") : tr("Use right axis"), QKeySequence(Qt::Key_R));
+    addKey(*menu, m_table.isShown(row) ? tr("Hide") : tr("Show"), QKeySequence(Qt::Key_Space));
+    addKey(*menu, tr("Rename"), QKeySequence(Qt::Key_F2));
+    menu->addMenu(colourMenu(m_table.item(row), m_theme, *this, [this, row](std::optional<int> colour) {
+        Q_EMIT colourRequested(row, colour);
+    }));
+    menu->addMenu(lineMenu(m_table.item(row), m_theme, *this,
+                           [this, row](LinePattern pattern) { Q_EMIT lineRequested(row, pattern); }));
+    menu->addSeparator();
+    addKey(*menu, m_table.isRight(row) ? tr("Use left axis") : tr("Use right axis"), QKeySequence(Qt::Key_R));
     if (QMenu* units = makeUnitMenu(row)) {
         menu->addMenu(units)->setText(tr("Unit") + QStringLiteral("\tU"));
     }
-    add(tr("Move to the plot above"), QKeySequence(QStringLiteral("Ctrl+Up")));
-    add(tr("Move to the plot below"), QKeySequence(QStringLiteral("Ctrl+Down")));
-    add(tr("Move to the plot on the left"), QKeySequence(QStringLiteral("Ctrl+Left")));
-    add(tr("Move to the plot on the right"), QKeySequence(QStringLiteral("Ctrl+Right")));
-    add(tr("New plot"), QKeySequence(QStringLiteral("Ctrl+Shift+Down")));
-    add(tr("New plot on the right"), QKeySequence(QStringLiteral("Ctrl+Shift+Right")));
-    add(tr("Remove from the plot"), QKeySequence(Qt::Key_Delete));
+    addMoves(*menu->addMenu(tr("Move to")));
+    menu->addSeparator();
+    addKey(*menu, tr("Copy value"), QKeySequence(QKeySequence::Copy));
+    addKey(*menu, tr("Remove from the plot"), QKeySequence(Qt::Key_Delete));
     menu->popup(event->globalPos());
 }
 

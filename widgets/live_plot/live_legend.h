@@ -5,15 +5,18 @@
 #include <QTableView>
 
 #include <array>
+#include <optional>
 #include <string>
 
+class QAction;
 class QMenu;
 
 namespace halbench::widgets {
 
 /// The curves of one plot with their live values; keys and a menu are for the chosen one: Space hides or
-/// shows it, R puts it on the other axis, U offers its units, Ctrl and an arrow key puts it into the plot on
-/// that side, Ctrl+Shift+Down and Ctrl+Shift+Right into one of its own below or beside, Delete takes it away.
+/// shows it, F2 names it, Ctrl+C copies its value, R puts it on the other axis, U offers its units, Ctrl and
+/// an arrow key puts it into the plot on that side, Ctrl+Shift+Down and Ctrl+Shift+Right into one of its own
+/// below or beside, Delete takes it away.
 class LiveLegend : public QTableView {
     Q_OBJECT
 public:
@@ -46,6 +49,9 @@ Q_SIGNALS:
     void moveBesideRequested(int curve, int by); ///< into the one so many columns to the right
     void separateRequested(int curve);           ///< into a new plot below
     void separateBesideRequested(int curve);     ///< into a new plot in a new column at the right
+    void colourRequested(int curve,
+                         std::optional<int> colour); ///< of the theme's; none: automatic, as the line
+    void lineRequested(int curve, LinePattern pattern);
     void unitRequested(int curve, const std::string& key);
 
 protected:
@@ -58,6 +64,9 @@ private:
     bool run(const QKeySequence& keys);
     QMenu* makeUnitMenu(int row);
     void showUnits(int row);
+    void copy(int row) const;
+    void addMoves(QMenu& menu);
+    QAction* addKey(QMenu& menu, const QString& text, const QKeySequence& keys);
 
     int wantedHeight(int rows) const;
 

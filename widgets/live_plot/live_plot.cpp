@@ -17,7 +17,6 @@
 namespace halbench::widgets {
 namespace {
 
-constexpr int CurveColours = 8;
 constexpr double ZStep = 1e-3; ///< the first curve, what is measured, is drawn above its reference
 constexpr int Margin = 2;
 /// The picture may end a device pixel before the canvas does, see fillEdges().
@@ -97,7 +96,7 @@ void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* histo
     for (const PlotCurve& curve : m_spec.curves) {
         const int index = static_cast<int>(m_curves.size());
         const int place = colours.placeOf(curve.signal, index);
-        auto* item = new HistoryCurve(curve, static_cast<LinePattern>(place / CurveColours % 4));
+        auto* item = new HistoryCurve(curve, patternAt(place));
         item->setZ(item->z() - ZStep * index);
         item->setYAxis(axisOf(curve));
         item->attach(this);
@@ -118,6 +117,19 @@ void LivePlot::setSpec(const PlotSpec& spec, const control::SampleHistory* histo
     setAccessibleDescription(tr("Arrow keys move a cursor or scroll, plus and minus zoom the time (Ctrl: the "
                                 "values), Space pauses, F fits, Insert adds signals."));
     updateTitle();
+}
+
+void LivePlot::setLooks(const SignalColours& colours, const CurveLooks& looks) {
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        PlotCurve& curve = m_spec.curves[i];
+        const auto look = looks.find(curve.signal);
+        curve.ownName = look == looks.end() ? QString() : look->second.name;
+        m_places[i] = colours.placeOf(curve.signal, static_cast<int>(i));
+        m_curves[i]->setOwnName(curve.ownName);
+        m_curves[i]->setPattern(patternAt(m_places[i]));
+    }
+    colourCurves();
+    makeReferenceCurves();
 }
 
 void LivePlot::colourCurves() {

@@ -45,6 +45,8 @@ public:
     /// `colours`: of the signals; those it does not know are coloured by their position in the plot.
     void setSpec(const PlotSpec& spec, const control::SampleHistory* history,
                  const SignalColours& colours = {});
+    /// Colours, patterns and names of its curves anew; zoom and hidden curves stay.
+    void setLooks(const SignalColours& colours, const CurveLooks& looks);
     const PlotSpec& spec() const { return m_spec; }
     const control::SampleHistory* history() const { return m_history; }
     void setTheme(const Theme& theme);

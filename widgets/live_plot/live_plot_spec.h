@@ -32,9 +32,15 @@ struct PlotCurve {
     bool isSensor = false;                    ///< a reading, which comes in the steps of a converter
     std::string ownUnit = {};                 ///< the key of the one that was chosen for it; empty: none was
     std::vector<UnitChoice> unitChoices = {}; ///< none: it has one unit only
+    QString ownName = {};                     ///< that the user gave it; empty: none
 
     bool operator==(const PlotCurve&) const = default;
 };
+
+/// As it is shown: the user's name, else its label.
+inline const QString& nameOf(const PlotCurve& curve) {
+    return curve.ownName.isEmpty() ? curve.label : curve.ownName;
+}
 
 /// A stretch of values to be warned of, in the unit shown; either end may be infinite.
 struct LimitBand {

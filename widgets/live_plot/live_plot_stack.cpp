@@ -54,6 +54,14 @@ void LivePlotStack::setStale(const QString& words) {
     m_isDirty = true;
 }
 
+void LivePlotStack::setLive(bool isLive) {
+    m_isLive = isLive;
+    for (const Command command : {Command::Follow, Command::Pause}) {
+        m_actions.at(command)->setEnabled(isLive);
+    }
+    m_isDirty = true;
+}
+
 void LivePlotStack::setHistory(const control::SampleHistory* history) {
     for (Row& row : m_rows) {
         if (row.time && history != m_history) {
@@ -205,7 +213,8 @@ void LivePlotStack::matchRows() {
         removeRow(m_rows.size() - 1);
     }
     place();
-    m_colours.update(m_specs);
+    nameCurves();
+    m_colours.update(m_specs, m_looks);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         configureRow(i);
     }

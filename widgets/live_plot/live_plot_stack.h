@@ -56,9 +56,9 @@ class TimeAxisBar;
 /// Where a plot has its own time axis, keys act on that axis while the plot or its legend has the focus, and
 /// on the one of all other plots elsewhere; pause holds all of them.
 ///
-/// In a legend, by its menu too: R puts the chosen curve on the other axis, U offers its units, Ctrl and an
-/// arrow key puts it into the plot on that side, on the axis that has its unit or is free, Ctrl+Shift+Down
-/// and Ctrl+Shift+Right into a plot of its own.
+/// In a legend, by its menu too: F2 names the chosen curve, its menu has colour and line; R puts the chosen
+/// curve on the other axis, U offers its units, Ctrl and an arrow key puts it into the plot on that side, on
+/// the axis that has its unit or is free, Ctrl+Shift+Down and Ctrl+Shift+Right into a plot of its own.
 ///
 /// Columns stand beside each other, each with its own axis below that shows the same time. plots() has them
 /// from left to right, the plots of one from top to bottom, with the shares of the room that the user gave
@@ -123,6 +123,9 @@ public:
     const std::vector<PlotSpec>& plots() const { return m_specs; }
     /// Of the signals of all plots.
     const SignalColours& colours() const { return m_colours; }
+    /// Colour, line and name of signals as the user wants them; those that are not shown keep theirs.
+    void setLooks(CurveLooks looks);
+    const CurveLooks& looks() const { return m_looks; }
     /// Adds to a plot, or as a new plot below when `plot` is none of them. A signal is shown once in a plot.
     void addCurve(int plot, const PlotCurve& curve);
     void removeCurve(int plot, const std::string& signal);
@@ -149,6 +152,8 @@ public:
 
     /// Since when nothing is updated any more, in words; empty: it is.
     void setStale(const QString& words);
+    /// False: nothing is added to the history, as to that of a recording; there is nothing to follow.
+    void setLive(bool isLive);
     void setFollowing(bool isFollowing);
     bool isFollowing() const { return m_view.isFollowing(); }
     void setPaused(bool isPaused);
@@ -259,6 +264,8 @@ private:
     Column makeColumn();
     void connectPlot(LivePlot* plot);
     void connectLegend(LivePlot* plot, LiveLegend* legend);
+    void connectLooks(LivePlot* plot, LiveLegend* legend);
+    void nameCurves();
     void connectUnits(LivePlot* plot, LiveLegend* legend);
     int indexOf(const LivePlot* plot) const;
     void choose(int plot, const std::string& signal);
@@ -339,6 +346,7 @@ private:
     Theme m_theme;
     std::vector<PlotSpec> m_specs;
     SignalColours m_colours;
+    CurveLooks m_looks;
     std::vector<Row> m_rows;
     TimeView m_view;
     CursorPairs m_pairs;
@@ -346,6 +354,7 @@ private:
     std::optional<std::size_t> m_chosenMarker;
     bool m_isMarkerNew = false; ///< dropped for the note that is being typed
     bool m_areMarkersEditable = true;
+    bool m_isLive = true;
     std::optional<double> m_event_s;
     std::optional<PlotLevel> m_level;
     ReferencePtr m_reference;

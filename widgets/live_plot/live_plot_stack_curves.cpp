@@ -60,6 +60,7 @@ void LivePlotStack::connectLegend(LivePlot* plot, LiveLegend* legend) {
         }
     });
     connectUnits(plot, legend);
+    connectLooks(plot, legend);
     connect(legend, &LiveLegend::toggleRequested, this, [this, plot, legend](int curve) {
         HistoryCurve* item = plot->curves()[static_cast<std::size_t>(curve)];
         item->setVisible(!item->isVisible());

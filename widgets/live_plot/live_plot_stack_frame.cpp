@@ -226,7 +226,9 @@ bool LivePlotStack::showNumbers() {
 
 void LivePlotStack::showOwnState(const Row& row) {
     const QString length = numberText(row.time->range().length_s(), 4);
-    if (isPaused()) {
+    if (!m_isLive) {
+        row.timeAxis->setState(tr("Own time axis, %1 s").arg(length), false);
+    } else if (isPaused()) {
         row.timeAxis->setState(tr("Own time axis, paused"), true);
     } else if (row.time->isFollowing()) {
         row.timeAxis->setState(tr("Own time axis, following, %1 s").arg(length), false);
@@ -249,12 +251,15 @@ void LivePlotStack::showState() {
     const auto first = std::find_if(m_columns.begin(), m_columns.end(),
                                     [](const Column& column) { return !column.timeAxis->isHidden(); });
     for (auto column = m_columns.begin(); column != m_columns.end(); ++column) {
-        const bool isWarning = isPaused() || !isFollowing() || !m_stale.isEmpty();
+        const bool isWarning = m_isLive && (isPaused() || !isFollowing() || !m_stale.isEmpty());
         column->timeAxis->setState(column == first ? stateWords() : QString(), isWarning);
     }
 }
 
 QString LivePlotStack::stateWords() const {
+    if (!m_isLive) {
+        return tr("Recorded data, %1 s").arg(numberText(m_view.range().length_s(), 4));
+    }
     if (isPaused()) {
         return tr("Paused for %1 s").arg(fixedText(m_view.behind_s(), 1));
     }

@@ -15,13 +15,17 @@ int lowestFree(const std::set<int>& taken) {
 
 } // namespace
 
-void SignalColours::update(const std::vector<PlotSpec>& plots) {
+void SignalColours::update(const std::vector<PlotSpec>& plots, const CurveLooks& looks) {
     std::map<std::string, int> shown;
     std::set<int> taken;
     std::vector<std::string> arrived;
     for (const PlotSpec& plot : plots) {
         for (const PlotCurve& curve : plot.curves) {
-            if (const auto kept = m_shown.find(curve.signal); kept != m_shown.end()) {
+            const auto look = looks.find(curve.signal);
+            if (look != looks.end() && look->second.place) {
+                shown[curve.signal] = *look->second.place;
+                taken.insert(*look->second.place);
+            } else if (const auto kept = m_shown.find(curve.signal); kept != m_shown.end()) {
                 shown.insert(*kept);
                 taken.insert(kept->second);
             } else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/live_plot/curve_look.h"
 #include "widgets/live_plot/live_plot_spec.h"
 
 #include <map>
@@ -13,7 +14,8 @@ namespace halbench::widgets {
 /// shown, and gets it back when it returns and the place is still free.
 class SignalColours {
 public:
-    void update(const std::vector<PlotSpec>& plots);
+    /// A place that the user chose is the signal's, whatever others have; none of the others takes it anew.
+    void update(const std::vector<PlotSpec>& plots, const CurveLooks& looks = {});
     /// Nothing is known of the signal: `otherwise`.
     int placeOf(const std::string& signal, int otherwise) const;
 

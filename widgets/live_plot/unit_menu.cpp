@@ -26,7 +26,7 @@ QMenu* unitMenu(const PlotCurve& curve, QWidget& parent,
         return nullptr;
     }
     auto* menu = new QMenu(&parent);
-    menu->setAccessibleName(Words::tr("Unit of %1").arg(curve.label));
+    menu->setAccessibleName(Words::tr("Unit of %1").arg(nameOf(curve)));
     auto* group = new QActionGroup(menu);
     for (const UnitChoice& choice : curve.unitChoices) {
         QAction* action = menu->addAction(unitWords(choice));

@@ -1,6 +1,7 @@
 #include "widgets/log/log_view.h"
 
 #include "widgets/controls/action_button.h"
+#include "widgets/language/whole_numbers.h"
 #include "widgets/log/log_filter_model.h"
 #include "widgets/theme/icons.h"
 
@@ -48,6 +49,7 @@ void LogView::createActions() {
 void LogView::createView() {
     m_search->setClearButtonEnabled(true);
     m_view->setModel(m_filter);
+    m_view->setItemDelegate(new WholeNumbers(m_view));
     m_view->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -1,11 +1,13 @@
 #include "app/window/project/project_monitor.h"
 
 #include "app/window/project/project_plots.h"
+#include "app/workspaces/monitor/look_names.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace halbench::app {
 
@@ -85,6 +87,78 @@ void readTrigger(ProjectReader& reader, const ConfigNode& node, TriggerChoice& t
     }
 }
 
+toml::table looksTable(const widgets::CurveLooks& looks) {
+    toml::table table;
+    for (const auto& [signal, look] : looks) {
+        toml::table entry;
+        if (look.place) {
+            entry.insert("colour", colourOfLook(*look.place));
+            entry.insert("line", lineOfLook(*look.place));
+        }
+        if (!look.name.isEmpty()) {
+            entry.insert("name", projectValue(look.name.toStdString()));
+        }
+        entry.is_inline(true);
+        table.insert(signal, entry);
+    }
+    return table;
+}
+
+std::optional<int> readColour(ProjectReader& reader, const ConfigNode& node) {
+    const double number = reader.numberOrReset(node, "colour").value_or(0.0);
+    if (number < 1.0 || number > LookColours || number != std::floor(number)) {
+        reader.reset(
+            node, fmt::format("'{}' must be a whole number from 1 to {}", "colour", widgets::CurveColours));
+        return std::nullopt;
+    }
+    return static_cast<int>(number);
+}
+
+int readLine(ProjectReader& reader, const ConfigNode& node) {
+    const auto found = std::find(LookLines.begin(), LookLines.end(), node.text);
+    if (node.kind != ConfigNode::Kind::Text || found == LookLines.end()) {
+        reader.reset(node, "'line' must be 'solid', 'dash', 'dot' or 'dash-dot'");
+        return 0;
+    }
+    return static_cast<int>(found - LookLines.begin());
+}
+
+widgets::CurveLook readLook(ProjectReader& reader, const ConfigNode& node) {
+    widgets::CurveLook look;
+    std::optional<int> colour;
+    int line = 0;
+    for (const auto& [key, value] : node.members) {
+        if (key == "colour") {
+            colour = readColour(reader, value);
+        } else if (key == "line") {
+            line = readLine(reader, value);
+        } else if (key == "name") {
+            std::string name;
+            reader.text(value, key, name);
+            look.name = QString::fromStdString(name);
+        } else {
+            reader.reset(value, fmt::format("unknown key '{}'; a curve has colour, line, name", key));
+        }
+    }
+    if (colour) {
+        look.place = placeOfLook(*colour, line);
+    }
+    return look;
+}
+
+/// Names of signals are no keys: what this device does not have waits for one that does.
+void readLooks(ProjectReader& reader, const ConfigNode& node, widgets::CurveLooks& looks) {
+    if (node.kind != ConfigNode::Kind::Table) {
+        reader.reset(node, "'curves' must be a table of signals, [monitor.curves]");
+    }
+    for (const auto& [signal, value] : node.members) {
+        const widgets::CurveLook look = readLook(reader, value);
+        if (look != widgets::CurveLook{}) {
+            looks[signal] = look;
+        }
+    }
+}
+
 /// As usual, where it is none.
 double readRate_Hz(ProjectReader& reader, const ConfigNode& node) {
     const double rate_Hz = reader.numberOrReset(node, "rate_hz").value_or(0.0);
@@ -108,6 +182,9 @@ toml::table projectMonitor(const MonitorView& view) {
     if (view.rate_Hz > 0.0) { // likewise
         table.insert("rate_hz", view.rate_Hz);
     }
+    if (!view.looks.empty()) { // likewise
+        table.insert("curves", looksTable(view.looks));
+    }
     if (view.trigger != TriggerChoice{}) {
         table.insert("trigger", triggerTable(view.trigger));
     }
@@ -129,9 +206,11 @@ void readMonitor(ProjectReader& reader, const ConfigNode& node, MonitorView& vie
             view.rate_Hz = readRate_Hz(reader, value);
         } else if (key == "trigger") {
             readTrigger(reader, value, view.trigger);
+        } else if (key == "curves") {
+            readLooks(reader, value, view.looks);
         } else {
-            reader.refuse(value,
-                          "[monitor] has follow and cursors (true or false), span_s, rate_hz and trigger");
+            reader.refuse(value, "[monitor] has follow and cursors (true or false), span_s, rate_hz, curves "
+                                 "and trigger");
         }
     }
     if (view.span_s && *view.span_s <= 0.0) {

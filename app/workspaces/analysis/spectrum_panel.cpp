@@ -11,6 +11,7 @@
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/figure/figure_view.h"
 #include "widgets/language/display_units.h"
+#include "widgets/language/whole_numbers.h"
 #include "widgets/spectrogram/spectrogram_view.h"
 
 #include <QAction>
@@ -144,6 +145,7 @@ void SpectrumPanel::buildPeaks(QWidget* parent) {
     m_peaks->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_peaks->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_peaks->setTabKeyNavigation(false);
+    m_peaks->setItemDelegate(new widgets::WholeNumbers(m_peaks));
     widgets::addCopyMenu(*m_peaks);
     m_peaks->verticalHeader()->hide();
     m_peaks->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);

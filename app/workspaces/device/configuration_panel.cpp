@@ -5,6 +5,7 @@
 #include "app/workspaces/device/configuration_table.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "widgets/controls/empty_state.h"
+#include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/language/phrasebook.h"
 
@@ -33,11 +34,11 @@ ConfigurationPanel::ConfigurationPanel(Workbench& bench, QWidget* parent, const 
     files->addStretch(1);
     column->addLayout(files);
     m_messages = new widgets::MessageBar(this);
-    column->addWidget(m_messages);
     m_stack = new QStackedWidget(this);
     m_stack->addWidget(buildEmpty());
     m_stack->addWidget(buildRows());
     column->addWidget(m_stack, 1);
+    (new widgets::FloatingRows(*m_stack, Qt::BottomEdge, this))->addRow(*m_messages);
     connect(m_save, &QPushButton::clicked, this, &ConfigurationPanel::save);
     connect(m_open, &QPushButton::clicked, this, &ConfigurationPanel::open);
     connect(&m_bench, &Workbench::valuesChanged, this, [this] { compare(true); });

@@ -3,6 +3,7 @@
 #include "widgets/controls/copy_menu.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
+#include "widgets/language/whole_numbers.h"
 
 #include <QHeaderView>
 #include <QSignalBlocker>
@@ -32,6 +33,7 @@ ConfigurationTable::ConfigurationTable(QWidget* parent) : QTreeWidget(parent) {
     }
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setStretchLastSection(true);
+    setItemDelegate(new widgets::WholeNumbers(this));
     widgets::addCopyMenu(*this);
     connect(this, &QTreeWidget::itemChanged, this, &ConfigurationTable::ticksChanged);
     connect(this, &QTreeWidget::currentItemChanged, this, &ConfigurationTable::tellReason);

@@ -6,6 +6,7 @@
 #include "control/base/unit_text.h"
 #include "widgets/controls/copy_menu.h"
 #include "widgets/language/phrasebook.h"
+#include "widgets/language/whole_numbers.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -63,6 +64,7 @@ DerivedPanel::DerivedPanel(Workbench& bench, QWidget* parent) : QWidget(parent),
     m_list->verticalHeader()->hide();
     m_list->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_list->horizontalHeader()->setStretchLastSection(true);
+    m_list->setItemDelegate(new widgets::WholeNumbers(m_list));
     widgets::addCopyMenu(*m_list);
     column->addWidget(m_list, 1);
     buildEmpty();

@@ -77,6 +77,7 @@ void MonitorPanel::showView() {
     auto plots = chosenPlots(m_view.plots, catalogue, bands, m_bench.displayUnits(), missing);
     m_stack->setPlots(plots.empty() && isFirst() ? defaultPlots(catalogue, bands, m_bench.displayUnits())
                                                  : std::move(plots));
+    m_stack->setLooks(m_view.looks);
     m_stack->setTimeSpan(m_view.span_s.value_or(DefaultSpan_s));
     m_stack->setFollowing(m_view.isFollowing);
     for (int i = 0; i < static_cast<int>(m_stack->plots().size()); ++i) {
@@ -119,6 +120,7 @@ MonitorView MonitorPanel::view() const {
         return view;
     }
     view.isFollowing = m_stack->isFollowing();
+    view.looks = m_stack->looks();
     if (isFirst()) {
         view.trigger = m_trigger->choice();
         view.isFollowing = m_trigger->isOn() ? m_trigger->isFollowingOtherwise() : view.isFollowing;

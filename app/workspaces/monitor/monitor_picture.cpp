@@ -2,6 +2,7 @@
 
 #include "widgets/figure/figure_file.h"
 #include "widgets/language/phrasebook.h"
+#include "widgets/live_plot/history_curve.h"
 #include "widgets/live_plot/legend_table_model.h"
 #include "widgets/live_plot/live_plot_stack.h"
 #include "widgets/live_plot/plot_marks.h"
@@ -23,7 +24,6 @@ namespace halbench::app {
 namespace {
 
 constexpr std::size_t FigureColumns = 1600; ///< two to a pixel of a picture of usual width
-constexpr int CurveColours = 8;
 constexpr int PanelHeight_px = 160;
 constexpr int LeastHeight_px = 60; ///< of a plot that is low on the screen too
 constexpr double ClipboardFineness = 2.0;
@@ -70,7 +70,7 @@ widgets::Curve drawnCurve(const control::SampleHistory& history, const widgets::
 
 /// As on the screen.
 int colourOf(const widgets::LivePlotStack& stack, const std::string& signal, std::size_t position) {
-    return stack.colours().placeOf(signal, static_cast<int>(position)) % CurveColours;
+    return stack.colours().placeOf(signal, static_cast<int>(position)) % widgets::CurveColours;
 }
 
 /// Dotted, in the colours of the curves they are compared with.

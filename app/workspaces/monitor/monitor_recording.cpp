@@ -34,6 +34,7 @@ QWidget& MonitorRecording::row() {
 void MonitorRecording::refresh() {
     const ShownRecording& shown = m_bench.shownRecording();
     m_row->setVisible(shown.isBusy());
+    m_stack.setLive(shown.file() == nullptr || shown.isBusy());
     if (!shown.isBusy()) {
         return;
     }
@@ -99,6 +100,7 @@ void MonitorRecording::onBegan() {
 
 void MonitorRecording::onEnded() {
     const ShownRecording& shown = m_bench.shownRecording();
+    m_stack.setLive(shown.file() == nullptr);
     if (!std::exchange(m_isAsked, false)) {
         return;
     }

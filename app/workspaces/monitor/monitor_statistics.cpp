@@ -70,7 +70,7 @@ void MonitorStatistics::refresh() {
         for (const widgets::PlotCurve& curve : plot.curves) {
             const control::SampleStatistics found = history.statistics(curve.signal, range);
             widgets::StatisticsRow row;
-            row.name = curve.label;
+            row.name = widgets::nameOf(curve);
             row.unit = curve.unit;
             row.decimals = curve.decimals;
             row.min = curve.factor * found.extremes.min;

@@ -4,6 +4,7 @@
 #include "devices/acquisition/derived_signals.h"
 #include "widgets/live_plot/axes/time_view.h"
 #include "widgets/live_plot/axes/value_range.h"
+#include "widgets/live_plot/curve_look.h"
 
 #include <map>
 #include <optional>
@@ -49,6 +50,7 @@ struct MonitorView {
     std::vector<devices::DerivedSignal> derived;
     std::vector<CursorChoice> cursors; ///< none: one pair that nobody named, which is not kept
     bool areCursorsShown = false;      ///< where there are some
+    widgets::CurveLooks looks = {};    ///< of signals, where the user chose them
 
     bool operator==(const MonitorView&) const = default;
 };

@@ -4,6 +4,7 @@
 #include "widgets/controls/copy_menu.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
+#include "widgets/language/whole_numbers.h"
 #include "widgets/live_plot/live_plot_spec.h"
 #include "widgets/live_plot/stale_text.h"
 #include "widgets/theme/theme_style.h"
@@ -42,6 +43,7 @@ SignalTree::SignalTree(QWidget* parent) : QTreeWidget(parent) {
     header()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
     header()->setSectionResizeMode(ValueColumn, QHeaderView::Fixed);
     header()->setSectionResizeMode(UnitColumn, QHeaderView::Fixed);
+    setItemDelegate(new widgets::WholeNumbers(this));
     headerItem()->setTextAlignment(ValueColumn, Qt::AlignRight | Qt::AlignVCenter);
     // An identification turns the rotor some hundred times: six digits of degrees.
     const QFontMetrics digits(widgets::tabularFont(font()));

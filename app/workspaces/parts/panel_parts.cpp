@@ -54,7 +54,7 @@ QVBoxLayout* makeScrollingColumn(QWidget* panel) {
     auto* content = new QWidget(scroll);
     QVBoxLayout* column = makePanelColumn(content);
     scroll->setWidget(content);
-    outer->addWidget(scroll);
+    outer->addWidget(scroll, 1); // all that rows below it, as a message, do not need
     return column;
 }
 

@@ -13,6 +13,7 @@
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
+#include "widgets/language/whole_numbers.h"
 
 #include <QAction>
 #include <QDir>
@@ -126,6 +127,7 @@ void RecordingsPanel::buildTable() {
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setTabKeyNavigation(false);
     m_table->setWordWrap(false);
+    m_table->setItemDelegate(new widgets::WholeNumbers(m_table));
     setCompact(*m_table);
     m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() +
                               FewestRows * m_table->verticalHeader()->defaultSectionSize());

@@ -5,6 +5,7 @@
 #include "widgets/controls/copy_menu.h"
 #include "widgets/controls/estimate_table.h"
 #include "widgets/language/display_units.h"
+#include "widgets/language/whole_numbers.h"
 
 #include <QDateTime>
 #include <QHeaderView>
@@ -92,6 +93,7 @@ ResultHistoryView::ResultHistoryView(QWidget* parent) : QTableWidget(parent) {
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setTabKeyNavigation(false);
     widgets::addCopyMenu(*this);
+    setItemDelegate(new widgets::WholeNumbers(this));
     setCompact(*this);
     QStringList titles = {tr("File"), tr("Date"), tr("Device"), tr("Data quality")};
     for (std::size_t i = 0; i < HistoryParameters.size(); ++i) {

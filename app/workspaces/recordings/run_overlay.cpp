@@ -11,6 +11,7 @@
 #include "widgets/figure/figure_view.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
+#include "widgets/language/whole_numbers.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QComboBox>
@@ -93,6 +94,7 @@ void RunOverlay::buildValues() {
     m_values->setHorizontalHeaderLabels({tr("Recording"), tr("At the cursor")});
     m_values->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_values->horizontalHeader()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+    m_values->setItemDelegate(new widgets::WholeNumbers(m_values));
     setCompact(*m_values);
     m_values->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_values->setSelectionBehavior(QAbstractItemView::SelectRows);

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <future>
+#include <iterator>
 #include <optional>
 #include <vector>
 
@@ -19,6 +21,21 @@ protected:
     char* m_arguments[2] = {m_name, nullptr};
     QCoreApplication application{m_argumentCount, m_arguments};
 };
+
+/// The system lists the threads of a process.
+TEST_F(FileQueueTest, costsNoThreadUntilItGetsAJob) {
+    const auto threads = [] {
+        const std::filesystem::directory_iterator list("/proc/self/task");
+        return std::distance(begin(list), end(list));
+    };
+    const auto before = threads();
+    FileQueue files;
+    EXPECT_EQ(threads(), before);
+    bool isWritten = false;
+    files.run([] { return Result<void>(); }, [&](const Result<void>&) { isWritten = true; });
+    EXPECT_EQ(threads(), before + 1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isWritten; }));
+}
 
 TEST_F(FileQueueTest, whatWaitsIsWrittenAndAnsweredInOrder) {
     FileQueue files;

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <filesystem>
 #include <future>
+#include <iterator>
 #include <vector>
 
 namespace halbench::app {
@@ -34,6 +36,23 @@ TEST_F(LatestTaskTest, answersOnTheThreadThatAskedAndComputesOnAnother) {
     EXPECT_EQ(answer, 42);
     EXPECT_NE(worker, std::this_thread::get_id());
     EXPECT_FALSE(task.isBusy());
+}
+
+/// A window has dozens; the system lists the threads of a process.
+TEST_F(LatestTaskTest, costsNoThreadUntilItIsAsked) {
+    const auto threads = [] {
+        const std::filesystem::directory_iterator list("/proc/self/task");
+        return std::distance(begin(list), end(list));
+    };
+    const auto before = threads();
+    LatestTask task;
+    EXPECT_EQ(threads(), before);
+    bool isAnswered = false;
+    task.run([] { return 1; }, [&](int) { isAnswered = true; });
+    EXPECT_EQ(threads(), before + 1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isAnswered; }));
+    task.run([] { return 2; }, [&](int) { isAnswered = true; });
+    EXPECT_EQ(threads(), before + 1) << "one for all questions";
 }
 
 TEST_F(LatestTaskTest, onlyTheNewestQuestionIsAnswered) {

@@ -52,6 +52,18 @@ TEST_F(WholeNumbersTest, aNumberThatTheEdgeCutsIsDotsWhateverItIs) {
     EXPECT_NE(picture(190), cut) << "words are cut as ever";
 }
 
+TEST_F(WholeNumbersTest, aNumberInTooNarrowAColumnIsDotsWhateverItIs) {
+    table.resizeColumnToContents(1);
+    table.setColumnWidth(1, table.columnWidth(1) - 3);
+    const QImage cut = picture(400);
+    put("1002");
+    EXPECT_EQ(picture(400), cut);
+    table.setColumnWidth(1, table.columnWidth(1) + 3);
+    const QImage whole = picture(400);
+    put("1001");
+    EXPECT_NE(picture(400), whole) << "it fits again";
+}
+
 TEST_F(WholeNumbersTest, aWholeNumberIsDrawnAsByAnyTable) {
     const QImage whole = picture(400);
     put("77");

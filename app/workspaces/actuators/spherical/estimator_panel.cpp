@@ -4,6 +4,7 @@
 #include "app/workspaces/parts/compact_table.h"
 #include "app/workspaces/parts/field_grid.h"
 #include "control/base/units.h"
+#include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/progress_row.h"
 #include "widgets/controls/quantity_edit.h"
@@ -67,9 +68,9 @@ EstimatorPanel::EstimatorPanel(Workbench& bench, StopWatch now_s, QWidget* paren
     column->addWidget(m_words);
     buildFields(*column);
     m_message = new widgets::MessageBar(this);
-    column->addWidget(m_message);
     buildTable();
     column->addWidget(m_table, 1);
+    (new widgets::FloatingRows(*m_table, Qt::BottomEdge, this))->addRow(*m_message);
     auto* note = makeNote(this);
     note->setText(
         tr("Errors are measured to the nearest of the four orientations with the same field. The time "

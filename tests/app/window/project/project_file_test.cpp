@@ -41,6 +41,7 @@ Project sample() {
         2.0,  true};
     project.monitor.cursors = {{"rise", 1.25, 2.0 / 3.0, false}, {"7 \u00b0", -1.0, 1e4, true}};
     project.monitor.areCursorsShown = true;
+    project.monitor.looks = {{"speed", {19, {}}}, {"hall.a", {{}, "Rotor \u00b0"}}, {"x", {0, "X"}}};
     project.monitor.derived = {{"power", "current.a^2 + current.b^2", "A^2"}};
     project.recording = {2.5, true, 10.0};
     return project;
@@ -129,15 +130,27 @@ TEST(ProjectFile, twoDerivedSignalsOfOneNameAreRefusedWithTheSecondsLine) {
 
 /// Nothing is lost with the room of a plot, its unit or the rate: the work in the file is opened.
 TEST(ProjectFile, aLayoutOfPlotsThatCannotBeIsAsUsualAndSaidWithItsLine) {
-    for (const char* lines :
-         {"[[plot]]\ncolumn = 0\n", "[[plot]]\ncolumn = 1.5\n", "[[plot]]\ncolumn = 1e9\n",
-          "[[plot]]\ncolumn = \"left\"\n", "[[plot]]\nheight_percent = 0\n",
-          "[[plot]]\nheight_percent = -1\n", "[[plot]]\nheight_percent = nan\n",
-          "[[plot]]\nheight_percent = 1e9\n", "[[plot]]\nwidth_percent = 33.3\n",
-          "[[plot]]\nwidth_percent = [1]\n", "[[plot]]\nunits = 3\n", "[[plot]]\nunits = { x = 3 }\n",
-          "[[plot]]\nunits = { y = \"mrad\" }\n", "[monitor]\nrate_hz = -1.0\n",
-          "[monitor]\nrate_hz = \"fast\"\n", "[monitor2]\nrate_hz = nan\n",
-          "[[monitor3.plot]]\ncolumn = -1\n"}) {
+    for (const char* lines : {"[[plot]]\ncolumn = 0\n",
+                              "[[plot]]\ncolumn = 1.5\n",
+                              "[[plot]]\ncolumn = 1e9\n",
+                              "[[plot]]\ncolumn = \"left\"\n",
+                              "[[plot]]\nheight_percent = 0\n",
+                              "[[plot]]\nheight_percent = -1\n",
+                              "[[plot]]\nheight_percent = nan\n",
+                              "[[plot]]\nheight_percent = 1e9\n",
+                              "[[plot]]\nwidth_percent = 33.3\n",
+                              "[[plot]]\nwidth_percent = [1]\n",
+                              "[[plot]]\nunits = 3\n",
+                              "[[plot]]\nunits = { x = 3 }\n",
+                              "[[plot]]\nunits = { y = \"mrad\" }\n",
+                              "[monitor]\nrate_hz = -1.0\n",
+                              "[monitor]\ncurves = 3\n",
+                              "[monitor.curves]\nx = { colour = 9 }\n",
+                              "[monitor.curves]\nx = { line = \"wavy\" }\n",
+                              "[monitor.curves]\nx = { width = 3 }\n",
+                              "[monitor]\nrate_hz = \"fast\"\n",
+                              "[monitor2]\nrate_hz = nan\n",
+                              "[[monitor3.plot]]\ncolumn = -1\n"}) {
         const auto read = parseProject(
             std::string("schema = \"halbench.project/1\"\ndevice = \"sim:htm\"\n") + lines, "motor.toml");
         ASSERT_TRUE(read) << lines << read.error().message;

@@ -1,3 +1,4 @@
+#include "app/workspaces/device/configuration_panel.h"
 #include "app/workspaces/device/parameters_panel.h"
 #include "app/workspaces/drive/drive_panel.h"
 #include "app/workspaces/drive/jog_row.h"
@@ -6,6 +7,7 @@
 #include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/recordings/record_panel.h"
 #include "tests/app/workspaces/bench_fixture.h"
+#include "widgets/controls/message_bar.h"
 #include "widgets/controls/quantity_edit.h"
 
 #include <QAbstractItemView>
@@ -13,6 +15,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QSignalSpy>
+#include <QStackedWidget>
 
 namespace halbench::app {
 namespace {
@@ -80,6 +83,31 @@ TEST_F(PanelPartsTest, aNumberFieldSaysItsPurposeAndWhatIsAllowed) {
     EXPECT_TRUE(field->toolTip().startsWith("How fast"));
     EXPECT_TRUE(field->toolTip().contains("5"));
     EXPECT_EQ(field->maximum(), 5.0);
+}
+
+TEST_F(PanelPartsTest, aMessageBelowAColumnIsAsHighAsItsWordsAndNoHigher) {
+    RecordPanel panel(bench());
+    panel.resize(360, 620);
+    panel.show();
+    auto* message = panel.findChild<widgets::MessageBar*>();
+    message->showMessage({widgets::Severity::Success, "Rows were written", "Settings are beside them.", {}});
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(message->height(), message->heightForWidth(message->width()));
+}
+
+TEST_F(PanelPartsTest, aMessageOfTheConfigurationMovesNothing) {
+    ConfigurationPanel panel(bench());
+    panel.resize(600, 500);
+    panel.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel));
+    auto* pages = panel.findChild<QStackedWidget*>();
+    const QRect before = pages->geometry();
+    auto* message = panel.findChild<widgets::MessageBar*>();
+    message->showMessage({widgets::Severity::Error, "File not read", "Choose another file.", {}});
+    QCoreApplication::processEvents();
+    ASSERT_TRUE(message->isVisible());
+    EXPECT_EQ(pages->geometry(), before);
 }
 
 } // namespace
