@@ -3543,8 +3543,8 @@
         <translation>Vorzeichen von Strom und Winkel in der Aufzeichnung prüfen, dann neu identifizieren</translation>
     </message>
     <message>
-        <source>reaches from {} to {}: the sign of the torque constant is unknown</source>
-        <translation>reicht von {} bis {}: Das Vorzeichen der Drehmomentkonstante ist unbekannt</translation>
+        <source>reaches from {} to {}: whether it is above zero is unknown</source>
+        <translation>reicht von {} bis {}: Ob der Wert über null liegt, ist unbekannt</translation>
     </message>
     <message>
         <source>lower end of the interval of c/J: {} 1/s</source>

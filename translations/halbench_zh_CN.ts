@@ -3543,8 +3543,8 @@
         <translation>请检查记录中电流与角度的符号，然后重新辨识</translation>
     </message>
     <message>
-        <source>reaches from {} to {}: the sign of the torque constant is unknown</source>
-        <translation>范围为 {} 至 {}：转矩常数的符号未知</translation>
+        <source>reaches from {} to {}: whether it is above zero is unknown</source>
+        <translation>范围为 {} 至 {}：无法确定其值是否大于零</translation>
     </message>
     <message>
         <source>lower end of the interval of c/J: {} 1/s</source>

@@ -355,11 +355,17 @@ void checkSigns(DocumentReader& reader, const MotorEstimate& estimate) {
                         "check the signs of current and angle in the recording, then identify again");
         }
     }
-    if (const auto gain = intervalAt(reader, "ratios.phi_over_J"); gain && gain->first <= 0.0) {
-        reader.fail("ratios.phi_over_J.ci95",
-                    fmt::format("reaches from {:.6g} to {:.6g}: the sign of the torque constant is unknown",
-                                gain->first, gain->second),
-                    "identify again with larger currents");
+}
+
+/// What must be positive is known to be so: an interval that reaches zero leaves even its sign open.
+void checkPositive(DocumentReader& reader) {
+    for (const char* path : {"parameters.torque_constant", "parameters.inertia", "ratios.phi_over_J"}) {
+        if (const auto interval = intervalAt(reader, path); interval && interval->first <= 0.0) {
+            reader.fail(std::string(path) + ".ci95",
+                        fmt::format("reaches from {:.6g} to {:.6g}: whether it is above zero is unknown",
+                                    interval->first, interval->second),
+                        "identify again with larger currents");
+        }
     }
 }
 
@@ -394,6 +400,7 @@ Result<ModelFile> parseModel(const std::string& text, const std::string& origin)
         }
     }
     checkIntervals(reader);
+    checkPositive(reader);
     checkSigns(reader, file.estimate);
     checkRatios(reader, file.estimate);
     readCovariance(reader, file.estimate);

@@ -78,7 +78,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "must be \"parallel\", \"standard\" or \"series\""),
     QT_TRANSLATE_NOOP("Phrases", "is {}, not possible for a motor"),
     QT_TRANSLATE_NOOP("Phrases", "check the signs of current and angle in the recording, then identify again"),
-    QT_TRANSLATE_NOOP("Phrases", "reaches from {} to {}: the sign of the torque constant is unknown"),
+    QT_TRANSLATE_NOOP("Phrases", "reaches from {} to {}: whether it is above zero is unknown"),
     QT_TRANSLATE_NOOP("Phrases", "identify again with larger currents"),
     QT_TRANSLATE_NOOP("Phrases", "lower end of the interval of c/J: {} 1/s"),
     QT_TRANSLATE_NOOP("Phrases", "{}: this estimate was rejected"),

@@ -127,6 +127,18 @@ TEST(ModelFile, intervalsAreInOrderAndHoldTheirValue) {
     }
 }
 
+TEST(ModelFile, whatMustBePositiveIsKnownToBe) {
+    const std::string inertia = "\"value\": 5.5e-4";
+    for (const char* interval : {"[-1, 60]", "[0, 1]", "[-1e-9, 1e-3]"}) {
+        const Result<ModelFile> model =
+            parseModel(replaced(Model, inertia, inertia + ", \"ci95\": " + std::string(interval)), "m.json");
+        ASSERT_FALSE(model) << interval;
+        EXPECT_NE(model.error().message.find("parameters.inertia.ci95"), std::string::npos)
+            << model.error().message;
+    }
+    EXPECT_TRUE(parseModel(replaced(Model, inertia, inertia + ", \"ci95\": [5e-4, 6e-4]"), "m.json"));
+}
+
 TEST(ModelFile, aDoubtfulModelKeepsItsDoubt) {
     EXPECT_TRUE(parseModel(Model, "m.json")->estimate.doubts.empty());
     const auto doubtful =
