@@ -141,6 +141,13 @@ SAMPLES = {
          {"resources/x.toml": "# cli.md"}, {"dev": "cd /home/someone/project"}, {"a.cpp": "// style.md 7"}],
         [{"a.h": "// resources/help/protocol.md 3.5"}, {"a.h": "// astrophysics/ and metaphysics"},
          {"a.cpp": "// command-line.md, my_design.mdx"}]),
+    "one_source_per_class": (
+        [{"app/window/a.cpp": "void Panel::show() {}\n", "app/window/a_more.cpp": "Panel::~Panel() = default;\n"},
+         {f"app/window/main_{i}.cpp": "int MainWindow::f(int a) {\n}\n" for i in range(5)}],
+        [{"app/window/a.cpp": "void Panel::show() {}\n", "app/window/b.cpp": "void g() {\n    Panel::show();\n}\n"},
+         {"app/window/a.cpp": "void Panel::show() {}\n", "app/tune/a.cpp": "void Panel::show() {}\n"},
+         {"app/window/a.cpp": "void Panel::show() {}\n", "tests/a.cpp": "void Panel::show() {}\n"},
+         {f"app/window/main_{i}.cpp": "int MainWindow::f(int a) {\n}\n" for i in range(4)}]),
     "every_source_has_its_test": (
         [{"control/base/a.cpp": "", "control/base/a.h": ""}, {"control/base/b.cpp": ""},
          {"control/base/a.cpp": "", "control/base/a.h": "", "tests/t.md": '#include "control/base/a.h"'},

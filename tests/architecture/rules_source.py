@@ -285,7 +285,31 @@ def actuators_are_named_in_their_folders(files):
             yield path, line_of(code, match.start()), f"'{match.group()}' is known to its folders and the registries only"
 
 
+# Classes that still wait for their collaborators, with the sources they may have: no number grows, no name is added.
+SEVERAL_SOURCES = {
+    "MainWindow": 4, "CalibratePanel": 2, "DriveControl": 4, "DrivePanel": 3, "MonitorPanel": 3, "RecordingsPanel": 2,
+    "FilterEditor": 2, "LoopView": 2, "TunePanel": 11, "SampleHistory": 4, "PageFile": 2, "A2lParser": 3, "XcpDevice": 4,
+    "XcpMaster": 3, "RotorView": 2, "FigureView": 3, "LivePlot": 4, "LivePlotStack": 11, "ParameterTable": 2,
+    "ParameterTableModel": 2,
+}
+MEMBER = re.compile(r"^(?:[A-Za-z][^\n;=(]*?\b)?([A-Z]\w+)::~?\w+\(", re.MULTILINE)
+
+
+def one_source_per_class(files):
+    """A class has one header and one .cpp; one that wants a second lacks a collaborator with a name of its own."""
+    sources = {}
+    for path, text in sorted(files.items()):
+        if is_product(path) and path.endswith(".cpp"):
+            folder = path.rpartition("/")[0]
+            for name in set(MEMBER.findall(code_only(text))):
+                sources.setdefault((folder, name), []).append(path)
+    for (_, name), paths in sorted(sources.items()):
+        allowed = SEVERAL_SOURCES.get(name, 1)
+        if len(paths) > allowed:
+            yield paths[-1], 1, f"{name} is written in {len(paths)} sources, {allowed} at most"
+
+
 RULES = {rule.__name__: rule for rule in (
     allowed_qt, firmware_is_plain_c, firmware_has_its_licence, one_type_per_name, file_sizes, function_sizes,
     forbidden_words, nothing_unfinished, names_and_guards, cites_only_what_is_here, every_source_has_its_test,
-    panels_run_whole_procedures, actuators_stay_in_their_folders, actuators_are_named_in_their_folders)}
+    one_source_per_class, panels_run_whole_procedures, actuators_stay_in_their_folders, actuators_are_named_in_their_folders)}

@@ -1,18 +1,15 @@
 #include "app/actuators/axes/axes_actuator.h"
 #include "app/documents/axis_model_file.h"
-#include "app/experiments/experiment.h"
-#include "app/experiments/experiment_runner.h"
 #include "app/experiments/run_report.h"
 #include "app/procedures/apply/apply_axes.h"
 #include "app/tuning/axis_conditions.h"
-#include "devices/open/open_device.h"
 #include "devices/simulated/registry/simulated_models.h"
 #include "tests/conformance/actuator/toy_model.h"
+#include "tests/conformance/axis_experiments.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 
 // The toy through the code that identifies, tunes, applies, verifies and reports every actuator with
@@ -39,9 +36,7 @@ protected:
     }
 
     static std::unique_ptr<devices::Device> open(const std::string& address = "sim:toy") {
-        auto device = devices::openDevice(address, {});
-        EXPECT_TRUE(device) << device.error().message;
-        return device ? std::move(*device) : nullptr;
+        return openSimulated(address);
     }
     static Result<AxesIdentifyResult> identified(devices::Device& device, const IdentifyConfig& config = {}) {
         const auto outcome = actuatorOf("toy").identify.run(device, config, {});
@@ -49,12 +44,6 @@ protected:
             return failure(outcome.error());
         }
         return std::get<AxesIdentifyResult>(*outcome);
-    }
-    static double parameter(devices::Device& device, const std::string& name) {
-        const std::string names[] = {name};
-        const auto values = device.readParameters(names);
-        EXPECT_TRUE(values) << name;
-        return values ? values->front() : NAN;
     }
 };
 
@@ -136,9 +125,9 @@ TEST_F(ToyLoops, leaveTheBoardAsItWas) {
     ASSERT_TRUE(device);
     ASSERT_TRUE(identified(*device));
     EXPECT_FALSE(device->state().isArmed);
-    EXPECT_EQ(parameter(*device, "hb.mode"), 0.0);
-    EXPECT_EQ(parameter(*device, "reference.x.shape"), 0.0);
-    EXPECT_EQ(parameter(*device, "gain.x.kp"), 100.0);
+    EXPECT_EQ(parameterOf(*device, "hb.mode"), 0.0);
+    EXPECT_EQ(parameterOf(*device, "reference.x.shape"), 0.0);
+    EXPECT_EQ(parameterOf(*device, "gain.x.kp"), 100.0);
 }
 
 TEST_F(ToyLoops, aSlideThatDoesNotMoveIsRefused) {
@@ -167,64 +156,33 @@ TEST_F(ToyLoops, refuseWhatOnlyAMotorHas) {
     EXPECT_EQ(actuatorOf("toy").calibrate.check(device->catalogue(), {}).error().code, ErrorCode::Usage);
 }
 
-constexpr const char* Experiment = R"(schema = "halbench.experiment/1"
-title = "Two slides"
+constexpr const char* Identify = R"(title = "Two slides"
 device = "sim:toy"
 [[step]]
 kind = "identify"
 name = "slides"
 given = { m = 0.2 }
-[[step]]
-kind = "tune"
-name = "loops"
-model = "slides"
-[[step]]
-kind = "apply"
-name = "write"
-gains = "loops"
-[[step]]
-kind = "move"
-name = "right"
-axis = "y"
-reference = { shape = "step", amplitude_um = 10000 }
-duration_s = 2
-[[check]]
+)";
+
+constexpr const char* Checks = R"([[check]]
 quantity = "slides.axes.0.parameters.acceleration_gain.value"
 min = 24.5
 max = 25.5
 [[check]]
 quantity = "loops.axes.1.predicted.margins.phase_margin_deg"
 min = 45
-[[check]]
-quantity = "write.kept"
-min = 1
 )";
 
 TEST_F(ToyLoops, anExperimentIdentifiesTunesAppliesVerifiesAndReportsBothAxes) {
     const auto device = open();
     ASSERT_TRUE(device);
-    const auto experiment = parseExperiment(Experiment, "toy.toml", {});
-    ASSERT_TRUE(experiment) << experiment.error().message;
-    Console console{ConsoleStyle{}};
-    std::atomic<int> signal = 0;
-    CommandContext context{{}, console, signal};
-    const RunOutcome outcome = runExperiment(context, *device, *experiment, 1, "");
-    EXPECT_FALSE(outcome.stoppedBy) << outcome.stoppedBy->message;
-    for (const StepOutcome& step : outcome.steps) {
-        for (const Finding& finding : step.quality.findings) {
-            EXPECT_NE(step.quality.verdict, Verdict::Refused) << step.name << ": " << finding.message;
-        }
-    }
-    ASSERT_EQ(outcome.steps.size(), 4u);
-    for (const CheckOutcome& check : outcome.checks) {
-        EXPECT_TRUE(check.passed) << check.quantity << " = " << check.value.value_or(NAN);
-    }
-    EXPECT_TRUE(outcome.passed);
-    EXPECT_NE(parameter(*device, "gain.x.kp"), 100.0);
-    EXPECT_NE(parameter(*device, "gain.y.kp"), 100.0);
+    const AxisExperiment run(*device, Identify + tuneApplyMove("model = \"slides\"", "y", 10000) + Checks);
+    run.expectPassed(4);
+    EXPECT_NE(parameterOf(*device, "gain.x.kp"), 100.0);
+    EXPECT_NE(parameterOf(*device, "gain.y.kp"), 100.0);
     ResultHeader header;
     header.device = device->info();
-    const auto report = renderRunReport(header, *experiment, outcome, *device);
+    const auto report = renderRunReport(header, run.experiment, run.outcome, *device);
     ASSERT_TRUE(report) << report.error().message;
     for (const char* text : {"Gains of axis x", "Gains of axis y", "axis x", "axis y"}) {
         EXPECT_NE(report->find(text), std::string::npos) << text;

@@ -1,19 +1,16 @@
 #include "app/documents/axis_loop_documents.h"
 #include "app/documents/axis_model_file.h"
 #include "app/documents/text/output_file.h"
-#include "app/experiments/experiment.h"
-#include "app/experiments/experiment_runner.h"
 #include "app/procedures/apply/apply_axes.h"
 #include "app/tuning/axis_conditions.h"
-#include "devices/open/open_device.h"
 #include "devices/simulated/registry/simulated_models.h"
+#include "tests/conformance/axis_experiments.h"
 #include "tests/conformance/stage/stage_model.h"
 
 #include <QtCore/QTemporaryDir>
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 
 // An actuator that only this program knows, with two axes and friction on one of them, through the code that
@@ -52,15 +49,7 @@ protected:
     static void SetUpTestSuite() { devices::addSimulatedModel(devices::stageModel()); }
 
     static std::unique_ptr<devices::Device> open(const std::string& address = "sim:stage") {
-        auto device = devices::openDevice(address, {});
-        EXPECT_TRUE(device) << device.error().message;
-        return device ? std::move(*device) : nullptr;
-    }
-    static double parameter(devices::Device& device, const std::string& name) {
-        const std::string names[] = {name};
-        const auto values = device.readParameters(names);
-        EXPECT_TRUE(values) << name;
-        return values ? values->front() : NAN;
+        return openSimulated(address);
     }
     static ApplyAxesConfig tuned(devices::Device& device, const AxisModel& model) {
         const auto conditions = axisConditionsOf(device, {"a", "b"});
@@ -85,10 +74,10 @@ TEST_F(StageLoops, areTunedAppliedInOneTransactionAndVerified) {
     EXPECT_TRUE(result->isKept);
     ASSERT_EQ(result->axes.size(), 2u);
     // w = 30 rad/s at 1 ms and one sample of delay, p = 2.2/s: K_P = m (w^2 + 2 w p), K_D = m (2 w + p) - c.
-    EXPECT_NEAR(parameter(*device, "gain.a.kp") / (0.2 * 1032.0), 1.0, 1e-6);
-    EXPECT_NEAR(parameter(*device, "gain.b.kp") / (0.5 * 1032.0), 1.0, 1e-6);
-    EXPECT_NEAR(parameter(*device, "gain.b.kd") / (0.5 * 62.2 - 0.4), 1.0, 1e-6);
-    EXPECT_NEAR(parameter(*device, "gain.a.reference_weight"), 0.745, 1e-6);
+    EXPECT_NEAR(parameterOf(*device, "gain.a.kp") / (0.2 * 1032.0), 1.0, 1e-6);
+    EXPECT_NEAR(parameterOf(*device, "gain.b.kp") / (0.5 * 1032.0), 1.0, 1e-6);
+    EXPECT_NEAR(parameterOf(*device, "gain.b.kd") / (0.5 * 62.2 - 0.4), 1.0, 1e-6);
+    EXPECT_NEAR(parameterOf(*device, "gain.a.reference_weight"), 0.745, 1e-6);
     for (const AxisVerification& verified : result->axes) {
         EXPECT_LT(std::fabs(verified.assessment.band->largestOff_rad), 0.02 * 0.002) << verified.axis.id;
         ASSERT_EQ(verified.assessment.verification->others.size(), 1u);
@@ -104,8 +93,8 @@ TEST_F(StageLoops, gainsOfHeavierSlidesArePutBack) {
     EXPECT_FALSE(result->isKept);
     EXPECT_EQ(result->axes.size(), 2u) << "axis a is as the model says, axis b is not";
     EXPECT_EQ(result->quality.findings.front().message.find("axis b: "), 0u);
-    EXPECT_EQ(parameter(*device, "gain.a.kp"), 100.0);
-    EXPECT_EQ(parameter(*device, "gain.b.kp"), 100.0);
+    EXPECT_EQ(parameterOf(*device, "gain.a.kp"), 100.0);
+    EXPECT_EQ(parameterOf(*device, "gain.b.kp"), 100.0);
 }
 
 TEST_F(StageLoops, anExperimentTunesAppliesAndMovesThem) {
@@ -116,46 +105,17 @@ TEST_F(StageLoops, anExperimentTunesAppliesAndMovesThem) {
     ResultHeader header;
     header.device = device->info();
     ASSERT_TRUE(writeFile(path, *toJsonText(axisModelDocument(header, modelOf()))));
-    const std::string text = R"(schema = "halbench.experiment/1"
-title = "Two axes"
-device = "sim:stage"
-[[step]]
-kind = "tune"
-name = "loops"
-model_file = ")" + path + R"("
-[[step]]
-kind = "apply"
-name = "write"
-gains = "loops"
-[[step]]
-kind = "move"
-name = "right"
-axis = "b"
-reference = { shape = "step", amplitude_um = 1000 }
-duration_s = 2
-[[check]]
+    const AxisExperiment run(*device, "title = \"Two axes\"\ndevice = \"sim:stage\"\n" +
+                                          tuneApplyMove("model_file = \"" + path + "\"", "b", 1000) +
+                                          R"([[check]]
 quantity = "loops.axes.1.predicted.margins.phase_margin_deg"
 min = 60
 [[check]]
-quantity = "write.kept"
-min = 1
-[[check]]
 quantity = "right.axes.0.figures.overshoot_percent"
 max = 2
-)";
-    const auto experiment = parseExperiment(text, "stage.toml", {});
-    ASSERT_TRUE(experiment) << experiment.error().message;
-    Console console{ConsoleStyle{}};
-    std::atomic<int> signal = 0;
-    CommandContext context{{}, console, signal};
-    const RunOutcome outcome = runExperiment(context, *device, *experiment, 1, "");
-    EXPECT_FALSE(outcome.stoppedBy) << outcome.stoppedBy->message;
-    ASSERT_EQ(outcome.steps.size(), 3u);
-    for (const CheckOutcome& check : outcome.checks) {
-        EXPECT_TRUE(check.passed) << check.quantity << " = " << check.value.value_or(NAN);
-    }
-    EXPECT_TRUE(outcome.passed);
-    EXPECT_NEAR(parameter(*device, "gain.a.kp") / (0.2 * 1032.0), 1.0, 1e-6);
+)");
+    run.expectPassed(3);
+    EXPECT_NEAR(parameterOf(*device, "gain.a.kp") / (0.2 * 1032.0), 1.0, 1e-6);
 }
 
 TEST_F(StageLoops, anExperimentRefusesAModelOfAnotherDeviceAndAnUnknownAxis) {
@@ -168,16 +128,9 @@ TEST_F(StageLoops, anExperimentRefusesAModelOfAnotherDeviceAndAnUnknownAxis) {
         header.device = device->info();
         header.device->model = model;
         EXPECT_TRUE(writeFile(path, *toJsonText(axisModelDocument(header, modelOf()))));
-        const auto experiment = parseExperiment(
-            "schema = \"halbench.experiment/1\"\n[[step]]\nkind = \"tune\"\nname = \"loops\"\n"
-            "model_file = \"" +
-                path + "\"\n" + more,
-            "stage.toml", {});
-        EXPECT_TRUE(experiment) << experiment.error().message;
-        Console console{ConsoleStyle{}};
-        std::atomic<int> signal = 0;
-        CommandContext context{{}, console, signal};
-        const RunOutcome outcome = runExperiment(context, *device, *experiment, 1, "");
+        const AxisExperiment made(*device, "[[step]]\nkind = \"tune\"\nname = \"loops\"\nmodel_file = \"" +
+                                               path + "\"\n" + more);
+        const RunOutcome& outcome = made.outcome;
         return outcome.stoppedBy ? outcome.stoppedBy->message : std::string();
     };
     EXPECT_NE(run("", "other").find("of a device 'other'"), std::string::npos);
