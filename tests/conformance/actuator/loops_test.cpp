@@ -191,10 +191,10 @@ TEST_F(ToyLoops, anExperimentIdentifiesTunesAppliesVerifiesAndReportsBothAxes) {
     for (const char* text : {"coil temperature", "peak current"}) {
         EXPECT_EQ(report->find(text), std::string::npos) << text;
     }
-    const JsonValue* identified = outcome.steps[0].body.find("highest_temperature_degC");
+    const JsonValue* identified = run.outcome.steps[0].body.find("highest_temperature_degC");
     ASSERT_NE(identified, nullptr);
     EXPECT_TRUE(identified->isNull());
-    const JsonValue& figures = *outcome.steps[3].body.find("axes")->items()[0].find("figures");
+    const JsonValue& figures = *run.outcome.steps[3].body.find("axes")->items()[0].find("figures");
     EXPECT_TRUE(figures.find("highest_temperature_degC")->isNull());
     EXPECT_TRUE(figures.find("peak_current_A")->isNull());
     EXPECT_GT(figures.find("peak_effort_A")->number(), 0.0);
