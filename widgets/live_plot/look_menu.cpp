@@ -20,7 +20,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(halbench::widgets::LookMenu)
 };
 
-/// In the order of look.md's colours, the same hues in all themes.
+/// In the order of Theme::curves, the same hues in all themes.
 std::array<QString, 8> colourWords() {
     return {Words::tr("Blue"),   Words::tr("Orange"), Words::tr("Green"),      Words::tr("Pink"),
             Words::tr("Purple"), Words::tr("Ochre"),  Words::tr("Light blue"), Words::tr("Grey")};

@@ -67,7 +67,7 @@ TEST_F(CurveLookTest, aColourOfTheMenuIsThatOfTheSignalInAllPlots) {
     choose(0, 1, {"Colour", "Purple"});
     EXPECT_EQ(changes, 1);
     const std::size_t last = plots().size() - 1;
-    EXPECT_EQ(curve(0, 1).colour(), theme.curves[4]); // purple is the fifth of look.md
+    EXPECT_EQ(curve(0, 1).colour(), theme.curves[4]); // purple is the fifth of the themes
     EXPECT_EQ(curve(last, 1).colour(), theme.curves[4]);
     EXPECT_EQ(curve(0, 1).pattern(), LinePattern::Solid);
     EXPECT_EQ(stack.valueRange(0), held) << "zoom stays";
