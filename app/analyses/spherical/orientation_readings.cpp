@@ -64,7 +64,7 @@ Result<ReadColumn> columnOf(const Recording& recording, const std::string& name,
         if (const auto conversion = written ? conversionBetween(*written, unit) : std::nullopt) {
             return ReadColumn{i, *conversion};
         }
-        const bool isUnit = written && (column == wanted || conversionBetween(*written, *written));
+        const bool isUnit = written && (column == wanted || isReadableUnit(*written));
         if (isUnit && !misfit) {
             misfit = Error{ErrorCode::InvalidInput,
                            fmt::format("{}: '{}' is not in {}", origin, columns[i].name, unit),
