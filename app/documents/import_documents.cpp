@@ -56,7 +56,7 @@ std::string columnLine(const devices::CsvPlan& plan, std::size_t index) {
     const std::string header = column.header.empty() ? "" : " '" + column.header + "'";
     const std::string unit = !column.isUnitKnown   ? std::string("unit not known")
                              : column.unit.empty() ? std::string("no unit")
-                             : column.factor != 1.0 || column.divisor != 1.0
+                             : column.factor != 1.0 || column.divisor != 1.0 || column.offset != 0.0
                                  ? fmt::format("{}, from {}", column.unit, column.written)
                                  : column.unit;
     return fmt::format("  {}{}: {} ({})\n", index + 1, header, plan.time == index ? "time" : column.signal,

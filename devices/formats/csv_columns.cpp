@@ -1,5 +1,6 @@
 #include "devices/formats/csv_columns.h"
 
+#include "control/base/unit_conversion.h"
 #include "devices/formats/csv_headers.h"
 #include "devices/formats/foreign_unit.h"
 #include "devices/formats/known_signals.h"
@@ -217,7 +218,7 @@ bool isUnitGiven(const CsvColumns& result, std::size_t index, const CsvImportReq
 
 Result<void> checkQuantities(CsvColumns& result, const CsvImportRequest& request) {
     for (std::size_t i = 0; i < result.columns.size(); ++i) {
-        const CsvColumn& column = result.columns[i];
+        CsvColumn& column = result.columns[i];
         if (isTemperatureName(column.name) && column.isUnitKnown && column.unit == "rad" &&
             !isUnitGiven(result, i, request)) { // "temp [deg]"
             askForUnit(result, i, {"degC", column.written});
@@ -226,6 +227,10 @@ Result<void> checkQuantities(CsvColumns& result, const CsvImportRequest& request
         const std::optional<std::string> due = unitOfKnownSignal(column.signal);
         if (!due || due->empty() || result.time == i) {
             continue;
+        }
+        if (*due == "degC" && column.unit == "K") { // of a temperature, no difference
+            column.unit = *due;
+            column.offset = conversionBetween("K", *due)->offset;
         }
         if (!column.isUnitKnown) {
             askForUnit(result, i,

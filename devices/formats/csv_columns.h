@@ -28,9 +28,12 @@ struct CsvColumn {
     std::string written; ///< its unit as it is written; empty: nowhere
     std::string signal;  ///< what the recording calls it
     std::string unit;    ///< symbol, SI; empty: none or not known
-    double factor = 1.0; ///< SI value = written value * factor / divisor
+    double factor = 1.0; ///< SI value = written value * factor / divisor + offset
     double divisor = 1.0;
+    double offset = 0.0;
     bool isUnitKnown = false;
+
+    double inSi(double value) const { return value * factor / divisor + offset; }
 };
 
 /// What a request calls a column: its header, or its number where that is no other's.

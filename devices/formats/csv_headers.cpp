@@ -28,13 +28,15 @@ void cutUnit(CsvColumn& column) {
         return;
     }
     const std::string unit = header.substr(open + 1, header.size() - open - 2);
-    if (isRound && !readForeignUnit(unit)) {
+    std::string name = header.substr(0, open);
+    while (!name.empty() && name.back() == ' ') {
+        name.pop_back();
+    }
+    const bool isSmallest = unit == "min" && !isTimeName(name); // "speed (min)"
+    if (isRound && (isSmallest || !readForeignUnit(unit))) {
         return;
     }
-    column.name = header.substr(0, open);
-    while (!column.name.empty() && column.name.back() == ' ') {
-        column.name.pop_back();
-    }
+    column.name = name;
     setUnit(column, unit);
 }
 
@@ -47,7 +49,9 @@ std::optional<std::string> unitBehind(const std::string& signal, const KnownSign
     }
     std::string written = name.substr(begin.size());
     const std::optional<ForeignUnit> unit = readForeignUnit(written);
-    return unit && unit->symbol == known.unit ? std::optional(std::move(written)) : std::nullopt;
+    const bool isKelvin = unit && unit->symbol == "K" && known.unit == "degC";
+    return unit && (unit->symbol == known.unit || isKelvin) ? std::optional(std::move(written))
+                                                            : std::nullopt;
 }
 
 /// Our own names tell their unit ("hall_a_T"), in another unit too ("hall_a_mT"), and so does the time
@@ -93,6 +97,7 @@ void setUnit(CsvColumn& column, std::string_view written) {
         column.unit = unit->symbol;
         column.factor = unit->factor;
         column.divisor = unit->divisor;
+        column.offset = unit->offset;
     }
 }
 

@@ -160,7 +160,7 @@ Result<void> RowReader::appendTime(const CsvLine& line, CsvImport& import) const
         return {};
     }
     const CsvColumn& column = m_plan.columns[*m_plan.time];
-    const double time_s = m_values[*m_plan.time] * column.factor / column.divisor;
+    const double time_s = column.inSi(m_values[*m_plan.time]);
     if (!std::isfinite(time_s)) {
         return wrongAt(line, 1, "the time is missing", "remove the row, or give --rate_Hz instead");
     }
@@ -185,7 +185,7 @@ Result<void> RowReader::read(const CsvLine& line, CsvImport& import) {
     for (std::size_t i = 0; i < m_values.size(); ++i) {
         if (m_plan.time != i) {
             const CsvColumn& column = m_plan.columns[i];
-            const double value = m_values[i] * column.factor / column.divisor;
+            const double value = column.inSi(m_values[i]);
             import.missing += std::isfinite(value) ? 0 : 1;
             import.recording.values.push_back(
                 std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN());

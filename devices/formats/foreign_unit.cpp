@@ -1,5 +1,6 @@
 #include "devices/formats/foreign_unit.h"
 
+#include "control/base/unit_conversion.h"
 #include "control/base/units.h"
 
 #include <algorithm>
@@ -56,6 +57,11 @@ constexpr std::array Table = {
     ForeignUnit{"1", ""},
 };
 
+/// Quantities whose units are read in every way that recordings are. Kelvin is here a difference, and a rate
+/// in 1/min may count turns or anything else.
+constexpr std::array ReadWidely = {"s", "rad",  "rad/s", "rad/s^2", "A", "V",
+                                   "T", "degC", "m",     "m/s",     "N", "N*m"};
+
 std::string_view withoutBrackets(std::string_view text) {
     const bool areSquare = text.size() >= 2 && text.front() == '[' && text.back() == ']';
     const bool areRound = text.size() >= 2 && text.front() == '(' && text.back() == ')';
@@ -73,6 +79,12 @@ std::optional<ForeignUnit> readForeignUnit(std::string_view written) {
     }
     if (const std::optional<Unit> unit = findUnit(text)) {
         return ForeignUnit{unit->symbol, unit->symbol};
+    }
+    for (const char* symbol : ReadWidely) {
+        if (const std::optional<UnitConversion> way =
+                text == "C" ? std::nullopt : conversionBetween(text, symbol)) {
+            return ForeignUnit{symbol, symbol, way->factor, way->divisor, way->offset};
+        }
     }
     return std::nullopt;
 }

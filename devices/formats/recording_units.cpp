@@ -83,7 +83,7 @@ std::optional<UnitConversion> conversionOf(const std::string& written, const std
     }
     const auto foreign = readForeignUnit(written); // what only tables of other programs write
     return foreign && foreign->symbol == due
-               ? std::optional(UnitConversion{foreign->factor, foreign->divisor})
+               ? std::optional(UnitConversion{foreign->factor, foreign->divisor, foreign->offset})
                : std::nullopt;
 }
 

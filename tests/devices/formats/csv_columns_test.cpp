@@ -30,6 +30,40 @@ TEST(ForeignUnit, isReadAsItsSiUnitWithOneRounding) {
     EXPECT_FALSE(readForeignUnit("furlong"));
 }
 
+TEST(ForeignUnit, whatRecordingsReadIsReadInTablesToo) {
+    struct Case {
+        const char* written;
+        const char* symbol;
+        double value;
+        double inSi;
+    };
+    for (const Case& one :
+         {Case{"min", "s", 2.0, 120.0}, Case{"mdeg", "rad", 180e3, 3.14159265358979323846},
+          Case{"\xC2\xB5rad", "rad", 5.0, 5e-6}, Case{"\xC2\xB5\x41", "A", 7.0, 7e-6},
+          Case{"G", "T", 1e4, 1.0}, Case{"degF", "degC", 212.0, 100.0}, Case{"mm", "m", 3.0, 0.003}}) {
+        const std::optional<ForeignUnit> unit = readForeignUnit(one.written);
+        ASSERT_TRUE(unit) << one.written;
+        EXPECT_EQ(unit->symbol, one.symbol) << one.written;
+        EXPECT_NEAR(one.value * unit->factor / unit->divisor + unit->offset, one.inSi, 1e-12 * one.inSi)
+            << one.written; // a few roundings
+    }
+    EXPECT_FALSE(readForeignUnit("1/min")) << "of turns or of anything else";
+}
+
+TEST(CsvColumns, aTemperatureInKelvinIsConvertedAndTheLeastOfASpeedIsNoMinute) {
+    const auto result =
+        arrange({"t [min]", "coil_temperature_a_K", "coil_temperature.b [K]", "speed x (min)"});
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(result->questions.empty());
+    EXPECT_EQ(result->columns[0].inSi(2.0), 120.0);
+    for (const std::size_t column : {1U, 2U}) {
+        EXPECT_EQ(result->columns[column].unit, "degC");
+        EXPECT_NEAR(result->columns[column].inSi(300.0), 26.85, 1e-12);
+    }
+    EXPECT_EQ(result->columns[3].unit, "");
+    EXPECT_EQ(result->columns[3].inSi(5.0), 5.0);
+}
+
 TEST(CsvColumns, unitsStandInBracketsOrInTheirOwnRow) {
     const auto result = arrange({"t [s]", "omega (rpm)", "speed (filtered)", "x"}, {}, {"", "", "A", "mT"});
     ASSERT_TRUE(result) << result.error().message;
