@@ -26,7 +26,7 @@ using CommandResult = Result<ExitCode>;
 /// The seed, pace and interrupt flag of the command line.
 devices::OpenOptions openOptionsFor(const CommandContext& context);
 
-/// What is to be said of a device whose description is of another firmware (DeviceInfo::otherFirmware).
+/// Finding about a device whose description is of another firmware (DeviceInfo::otherFirmware).
 Finding otherFirmware(const devices::DeviceInfo& device);
 
 /// Opens a device with them, and says on stderr what makes its values doubtful.

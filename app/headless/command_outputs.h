@@ -7,7 +7,8 @@
 
 namespace halbench::app {
 
-/// What a command would write, as its options name it; an empty name is an output that is not asked for.
+/// Files that a command would write, as its options name them; an empty name is an output that is not asked
+/// for.
 struct CommandOutputs {
     std::vector<std::string> files;
     std::vector<std::string> recordings; ///< a .csv has a sidecar beside it

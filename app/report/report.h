@@ -11,7 +11,7 @@
 
 namespace halbench::app {
 
-/// What a report says, as plain values; whoever ran the procedures fills it. All texts are UTF-8 without
+/// Contents of a report as plain values, filled from the results of procedures. All texts are UTF-8 without
 /// markup.
 
 /// Meaning of a word or cell; shown by colour and always by its words too.

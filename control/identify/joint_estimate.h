@@ -57,7 +57,7 @@ struct ErrorPart {
     double freedom = 0.0;
 };
 
-/// What the data alone say.
+/// Ratios of the constants, which follow from the data alone.
 struct MotorRatios {
     std::vector<MotorRatio> ratios;
     std::vector<ErrorPart> errors;

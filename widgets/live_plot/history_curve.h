@@ -16,7 +16,8 @@ namespace halbench::widgets {
 /// Pattern of a curve's line: the second eight curves of a plot are dashed, the next dotted, then both.
 enum class LinePattern { Solid, Dash, Dot, DashDot };
 
-/// Of a theme. A place among the looks of curves counts colours first, then patterns: 0 ... 31.
+/// Colours of curves in a theme. A place among the looks of curves counts colours first, then patterns:
+/// 0 ... 31.
 inline constexpr int CurveColours = 8;
 inline constexpr int LinePatterns = 4;
 

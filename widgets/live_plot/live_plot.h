@@ -28,7 +28,7 @@ struct TitleForm {
     bool operator==(const TitleForm&) const = default;
 };
 
-/// Where the user holds the axes of values; nothing while they follow the data.
+/// Ranges in which the user holds the axes of values; nothing while they follow the data.
 struct HeldRanges {
     std::optional<ValueRange> left;
     std::optional<ValueRange> right;

@@ -56,7 +56,7 @@ struct UncoveredShaft {
     double share = 0.0; ///< of the spins, above 0
 };
 
-/// What a placement is worth over the whole workspace.
+/// Coverage and figures of a placement over the whole workspace.
 struct CoverageOfWorkspace {
     std::vector<UncoveredShaft> uncovered; ///< alpha and beta every 3 degrees, spins every degree
     models::PlacementResult figures;

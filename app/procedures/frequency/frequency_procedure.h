@@ -49,7 +49,7 @@ struct FrequencyResultPoint {
     bool isUsed = false;             ///< coherent enough
 };
 
-/// What was excited at once, and how strongly.
+/// Band of lines that are excited at once, and their strength.
 struct FrequencyBand {
     double from_Hz = 0.0;
     double to_Hz = 0.0;

@@ -27,7 +27,7 @@ struct MeasuredPlant {
     std::optional<double> leastCoherence = {}; ///< from which on a point is used
 };
 
-/// What a measurement gives; points that are no number or zero are left out.
+/// Plant of a measured response; points that are no number or zero are left out.
 MeasuredPlant measuredPlant(const FrequencyResult& result);
 
 /// The plant of each axis while the loops of the others are closed, by the name of the axis: its open loop

@@ -113,7 +113,7 @@ struct MoveResult {
     const MoveFigures& figures() const { return truth ? *truth : measured; }
 };
 
-/// What a move does to the coils, before anything is armed (also for `run --dry-run`).
+/// Load of the coils by a move, before anything is armed (also for `run --dry-run`).
 struct MovePrediction {
     double duration_s = 0.0;
     double peakCurrent_A = 0.0;

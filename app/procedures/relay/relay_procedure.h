@@ -27,7 +27,7 @@ struct RelayConfig {
     double gainError_ratio = 0.005;
 };
 
-/// What a motor's model says of the cycle and of where proportional control is on its limit.
+/// Cycle and limit of proportional control as a motor's model predicts them.
 struct RelayPrediction {
     control::UltimateGain at;
     std::optional<std::pair<double, double>> gain95; ///< of the model's covariance; absent: it has none

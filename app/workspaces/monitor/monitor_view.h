@@ -40,7 +40,7 @@ struct CursorChoice {
     bool operator==(const CursorChoice&) const = default;
 };
 
-/// What the Monitor shows, as a project keeps it. No plots: what the device's profile says.
+/// View of the Monitor as a project keeps it. No plots: those of the device's profile.
 struct MonitorView {
     std::vector<PlotChoice> plots;
     bool isFollowing = true;

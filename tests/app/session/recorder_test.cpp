@@ -44,6 +44,9 @@ SampleBlockPtr block(const std::shared_ptr<const StreamLayout>& layout, double f
     return made;
 }
 
+/// Of events that come at once; a loaded machine may take longer.
+constexpr int Patience_ms = 120000;
+
 class RecorderTest : public testing::Test {
 protected:
     RecorderConfig config(const std::shared_ptr<const StreamLayout>& layout) {
@@ -58,7 +61,7 @@ protected:
             [&] {
                 return recorder.status().state == State::Done || recorder.status().state == State::Failed;
             },
-            20000);
+            Patience_ms);
     }
     Recording read() const {
         const auto file = devices::readRecordingFile(path());
@@ -109,9 +112,9 @@ TEST_F(RecorderTest, markersAndChangesSurviveAKill) {
         const auto partial = left(); // and the marker of the interruption
         return partial && partial->file.meta.markers.size() == markers + 1;
     };
-    ASSERT_TRUE(QTest::qWaitFor([&] { return isKept(1); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isKept(1); }, Patience_ms));
     recorder.addMarker(7.0, "there");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return isKept(2); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return isKept(2); }, Patience_ms));
     const auto partial = left();
     EXPECT_EQ(partial->file.meta.markers[0].text, "here");
     EXPECT_NEAR(partial->file.meta.markers[0].time_s, 0.05, 1e-9);
@@ -240,7 +243,7 @@ TEST_F(RecorderTest, aDiskThatStallsDelaysNobodyAndWhatItMissedIsInTheSidecar) {
     slow.disk = disk.access();
     Recorder recorder(std::move(slow));
     recorder.push(block(layout, 0.0, 10));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return recorder.status().rows == 10; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return recorder.status().rows == 10; }, Patience_ms));
     disk.setStuck(true);
     // Returns at once; the queue takes two blocks, what the writer holds comes on top. When it takes a block
     // in between, there are two gaps.
@@ -250,7 +253,7 @@ TEST_F(RecorderTest, aDiskThatStallsDelaysNobodyAndWhatItMissedIsInTheSidecar) {
     const std::uint64_t dropped = recorder.status().droppedRows;
     EXPECT_GE(dropped, 40U);
     disk.setStuck(false);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return recorder.status().rows == 100 - dropped; }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return recorder.status().rows == 100 - dropped; }, Patience_ms));
     recorder.push(block(layout, 1.0, 10)); // it goes on
     recorder.finish();
     ASSERT_TRUE(ended(recorder));
@@ -285,7 +288,7 @@ TEST_F(RecorderTest, aDiskThatCannotFlushEndsTheRecordingWithItsReason) {
     };
     Recorder recorder(std::move(bad));
     recorder.push(block(layout, 0.0, 10));
-    ASSERT_TRUE(refused.tryAcquire(1, 20000)) << "rows are flushed while it records";
+    ASSERT_TRUE(refused.tryAcquire(1, Patience_ms)) << "rows are flushed while it records";
     // It learns of that with rows that come later; each block waits for the one before.
     for (std::uint64_t pushed = 10; recorder.status().state == State::Recording; pushed += 10) {
         recorder.push(block(layout, 0.01 * static_cast<double>(pushed), 10));
@@ -293,7 +296,7 @@ TEST_F(RecorderTest, aDiskThatCannotFlushEndsTheRecordingWithItsReason) {
             [&] {
                 return recorder.status().state != State::Recording || recorder.status().rows == pushed + 10;
             },
-            20000));
+            Patience_ms));
     }
     ASSERT_TRUE(ended(recorder));
     EXPECT_EQ(recorder.status().state, State::Failed);
