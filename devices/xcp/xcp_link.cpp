@@ -158,6 +158,10 @@ Reply<Packet> XcpLink::awaitAnswer(std::uint8_t command, double deadline_s) {
         }
         if (kind == PacketKind::Error) {
             const std::uint8_t code = m_packet.size() > 1 ? m_packet[1] : 0x31;
+            // Only SYNCH is answered so: an older one, of a time when the board was held up.
+            if (code == static_cast<std::uint8_t>(SlaveError::Synch)) {
+                continue;
+            }
             Trouble refused =
                 trouble(TroubleCause::Slave, ErrorCode::DeviceRefused,
                         fmt::format("the device rejected {}: {}", commandName(command), slaveErrorText(code)),
@@ -335,9 +339,8 @@ std::optional<Error> XcpLink::afterTrouble(const Trouble& trouble, int& repeats,
             const Result<void> waited = pumpUntil(m_transport->now_s() + BusyWait_s);
             return waited ? std::nullopt : std::optional<Error>(waited.error());
         }
-        // Out of order after a repetition, or an answer to an older SYNCH: once more from the start.
-        const bool isOutOfStep = code == SlaveError::Sequence || code == SlaveError::Synch;
-        if (!isOutOfStep || repeats > 0) {
+        // Out of order after a repetition: once more from the start.
+        if (code != SlaveError::Sequence || repeats > 0) {
             return trouble.error;
         }
     }

@@ -158,15 +158,26 @@ private:
         ASSERT_TRUE(*answer) << answer->error().message;
     }
 
+    /// Asks again while the board is away: a busy machine may lose the line once more.
     double value(const std::string& name) {
         std::optional<Result<std::vector<double>>> values;
-        session.request(
-            [name](devices::Device& device) {
-                return device.readParameters({&name, 1});
-            },
-            [&](const Result<std::vector<double>>& read) { values = read; });
-        EXPECT_TRUE(wait([&] { return values.has_value(); }));
-        return values && *values ? (*values)->front() : -1.0;
+        bool isAsking = false;
+        const bool hasCome = wait([&] {
+            if (!isAsking && !(values && *values) && session.state() == SessionState::Connected) {
+                isAsking = true;
+                session.request(
+                    [name](devices::Device& device) {
+                        return device.readParameters({&name, 1});
+                    },
+                    [&](const Result<std::vector<double>>& read) {
+                        values = read;
+                        isAsking = false;
+                    });
+            }
+            return !isAsking && values && *values;
+        });
+        EXPECT_TRUE(hasCome) << name;
+        return hasCome ? (*values)->front() : -1.0;
     }
 
     void move(PluggableBoard& board) {

@@ -94,6 +94,36 @@ TEST(Recovery, aLateAnswerIsNotTakenForTheNextCommands) {
     EXPECT_GT((*device)->statistics().commandsRepeated, 0U);
 }
 
+// A board that is held up answers every SYNCH of that time, one after the other on a slow line: the last ones
+// come after the next command and are not its answers. A single one was allowed for, a longer hold was called
+// a refusal ("the command queue was cleared").
+TEST(Recovery, answersToOldSynchronisationsAreNotTakenForTheNextCommands) {
+    constexpr double LinePeriod_s = 0.02;
+    for (const double hold_s : {0.6, 1.1, 1.6}) {
+        for (const std::size_t heldCommand : {1U, 2U, 3U, 4U, 5U, 6U, 9U, 14U}) {
+            SCOPED_TRACE(testing::Message() << hold_s << " s, command " << heldCommand);
+            auto slave = std::make_unique<TestSlave>();
+            TestSlave& raw = *slave;
+            const auto device = openXcpDevice(std::move(slave), {});
+            ASSERT_TRUE(device);
+            std::size_t number = 0;
+            double due_s = 0.0;
+            raw.bendAnswers = [&](const Packet&, std::deque<Packet>&) {
+                ++number;
+                due_s = std::max(due_s, raw.now_s()) + LinePeriod_s + (number == heldCommand ? hold_s : 0.0);
+                raw.answerDelay_s = due_s - raw.now_s();
+            };
+            const std::vector<ParameterValue> change = {{"p.a", 3.0}, {"p.b", 4.0}, {"p.n", 5.0}};
+            const auto written = (*device)->writeParameters(change);
+            ASSERT_TRUE(written) << written.error().message;
+            const std::vector<std::string> names = {"p.a", "p.b", "p.n"};
+            const auto values = (*device)->readParameters(names);
+            ASSERT_TRUE(values) << values.error().message;
+            EXPECT_EQ(*values, (std::vector<double>{3.0, 4.0, 5.0}));
+        }
+    }
+}
+
 TEST(Recovery, repeatedDownloadsStartFromTheirAddress) {
     // An answer lost after DOWNLOAD leaves the transfer pointer moved: the repetition must set it again
     // (3.6).

@@ -115,10 +115,10 @@ TEST_F(EstimatorPanelTest, takesTheSensorsOfARecordingThatIsPlayed) {
     Recording recording;
     auto layout = std::make_shared<StreamLayout>();
     layout->columns = {{"field.0.r", "T"}};
-    layout->period_s = 1e-3;
+    layout->period_s = 10.0; // it is played for longer than any machine needs to read its values
     recording.layout = layout;
     for (int row = 0; row < 100; ++row) {
-        recording.time_s.push_back(1e-3 * row);
+        recording.time_s.push_back(10.0 * row);
         recording.values.push_back(0.1);
     }
     devices::RecordingMeta meta;
