@@ -2,12 +2,15 @@
 
 #include "devices/xcp/board_capture.h"
 #include "devices/xcp/board_description.h"
-#include "devices/xcp/clock_fit.h"
-#include "devices/xcp/description_cache.h"
-#include "devices/xcp/stream_assembler.h"
+#include "devices/xcp/clock_comparison.h"
+#include "devices/xcp/daq_stream.h"
+#include "devices/xcp/parameter_writer.h"
+#include "devices/xcp/safety_session.h"
+#include "devices/xcp/value_reader.h"
 #include "devices/xcp/xcp_device.h"
 #include "devices/xcp/xcp_master.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -33,16 +36,22 @@ public:
     DeviceState state() const override;
     LinkStatistics statistics() const override;
 
-    Result<std::vector<double>> readParameters(std::span<const std::string> names) override;
-    Result<std::vector<double>> readSignals(std::span<const std::string> names) override;
-    Result<void> writeParameters(std::span<const ParameterValue> values) override;
-    Result<void> saveParameters() override;
+    Result<std::vector<double>> readParameters(std::span<const std::string> names) override {
+        return m_values.readParameters(names);
+    }
+    Result<std::vector<double>> readSignals(std::span<const std::string> names) override {
+        return m_values.readSignals(names);
+    }
+    Result<void> writeParameters(std::span<const ParameterValue> values) override {
+        return m_writer.write(values);
+    }
+    Result<void> saveParameters() override { return m_writer.save(); }
     Result<void> startStream(const StreamRequest& request, BlockSink sink) override;
     void stopStream() noexcept override;
-    Result<void> arm() override;
-    Result<void> disarm() override;
-    void stop() noexcept override;
-    Result<void> clearStop() override;
+    Result<void> arm() override { return m_safety.arm(); }
+    Result<void> disarm() override { return m_safety.disarm(); }
+    void stop() noexcept override { m_safety.stop(); }
+    Result<void> clearStop() override { return m_safety.clearStop(); }
     Result<Recording> readCapture() override;
 
 private:
@@ -56,89 +65,27 @@ private:
         XcpDevice* m_device;
     };
 
-    /// A parameter to be written, in octets.
-    struct RawChange {
-        const A2lCharacteristic* target = nullptr;
-        Packet octets;
-        std::optional<XcpMaster::Repetition> command; ///< the write is an act
-    };
-
     double now_s() const { return m_link.transport().now_s(); }
-    void message(const std::string& text) const;
-
-    // opening (xcp_device.cpp)
-    Result<void> readIdentity();
-    Result<void> readDescription();
-    Result<A2lDescription> givenOrUploaded();
-    Result<A2lDescription> cachedOrUploaded();
-    Result<void> compareFirmware(const A2lDescription& description);
-    Result<void> findFirmware(const A2lDescription& description);
-    Result<void> readLongerFirmware(std::uint32_t address);
-    Result<void> choosePages();
-    Result<void> readDefaults();
-    Result<void> readWhatCanBeRead(const std::vector<std::string>& names);
-    void useProfile();
     void installHandlers();
-
-    // values (xcp_device_values.cpp)
-    Result<std::vector<double>> readObjects(const std::vector<const A2lObject*>& objects);
-    Result<std::vector<RawChange>> checkedChanges(std::span<const ParameterValue> values);
-    double nextOrder();
-    Result<void> writeSegment(const A2lSegment& segment, const std::vector<RawChange>& changes);
-    Result<void> writePlain(const std::vector<RawChange>& changes);
-    Result<bool> writeAdjacent(const std::vector<RawChange>& changes);
-    Result<void> commandOnce(const RawChange& change);
-    Result<void> writeOneByOne(const std::vector<RawChange>& changes);
-    Result<void> readBack(const std::vector<RawChange>& changes);
-    Result<void> checkFirmware() const;
-
-    // streams and time (xcp_device_stream.cpp)
+    void onEvent(std::uint8_t code);
     Result<void> waitFor(double duration_s);
     Result<void> checkWhileWaiting();
-    void deliverBlocks();
-    Result<void> feedWatchdog();
-    Result<void> checkHeartbeat();
-    void remarkOnStream(const SamplingPlan& sampling, const DaqPlan& plan) const;
-    void feedStream(Octets packet);
-    Result<void> compareClocks();
     void reportLink() const;
-
-    // state, arming, stopping (xcp_device_state.cpp)
-    Result<void> refreshState();
-    Result<void> awaitArmed(bool isArmed);
-    Result<void> writeLive(const std::string& name, double value);
-    Result<void> setWatchdog();
-    Result<void> zeroSetpoints();
-    Result<void> restoreWatchdog();
-    Result<void> writeFormerWatchdog();
-    void onEvent(std::uint8_t code);
-    Error safetyError() const;
 
     XcpDeviceOptions m_options;
     XcpLink m_link;
     XcpMaster m_master;
     DeviceClock m_clock;
     double m_opened_s = 0.0;
+    bool m_isOpen = false;
     BoardDescription m_board;
     std::optional<DaqAbility> m_ability;
-
-    DeviceState m_state;
-    double m_lastOrder = 1.0; ///< number of the last start sent to a board that knows repetitions by it
-    bool m_isStateStale = false;
-    bool m_expectsArmed = false; ///< armed by us and not disarmed since: losing it is a safety stop
-    std::optional<double> m_formerWatchdog_ms; ///< what the board had before it was armed by us
-    bool m_hasWarnedOneByOne = false;
-    double m_nextStatus_s = 0.0;
-
-    std::unique_ptr<StreamAssembler> m_stream;
-    BlockSink m_sink;
-    double m_streamStarted_s = 0.0;
-    std::optional<TickUnwrapper> m_boardClock; ///< absent: not asked for
-    ClockFit m_clockFit;
-    double m_nextClock_s = 0.0;
+    ValueReader m_values;
+    ParameterWriter m_writer;
+    SafetySession m_safety;
+    DaqStream m_stream;
+    ClockComparison m_clocks;
     BoardCapture m_capture;
-    std::uint64_t m_droppedSamples = 0;    ///< incomplete or misplaced, of streams that ended
-    std::uint64_t m_incompleteSamples = 0; ///< of these
 };
 
 } // namespace halbench::devices::xcp

@@ -1,18 +1,14 @@
-#include "devices/xcp/xcp_device_impl.h"
+#include "devices/xcp/parameter_writer.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <map>
-#include <numeric>
+#include <utility>
 
 namespace halbench::devices::xcp {
 
 namespace {
-
-constexpr const char* ListHint = "list the names with: halbench describe DEVICE";
 
 /// Names that end so are commands: the board may clear them by itself (3.16).
 bool isCommandName(const std::string& name) {
@@ -37,106 +33,32 @@ bool takesOrders(const Catalogue& catalogue, const A2lCharacteristic& target) {
            target.upper == LastOrder && catalogue.findParameter(ArmName) != nullptr;
 }
 
-/// The number a user wrote: of a 4-octet float the shortest decimal that stands for it (0.1, not
-/// 0.10000000149011612).
-double shortestOf(double raw) {
-    char text[32];
-    const auto written = std::to_chars(text, text + sizeof text, static_cast<float>(raw));
-    double shortest = raw;
-    std::from_chars(text, written.ptr, shortest);
-    return shortest;
-}
-
-double physicalOf(Octets octets, const A2lObject& object, ByteOrder order) {
-    const double raw = decodeRaw(octets, object.type, order);
-    return object.conversion.toPhysical(
-        object.type == DataType::Float32 && std::isfinite(raw) ? shortestOf(raw) : raw);
-}
-
-bool follows(const A2lObject& object, const A2lObject& previous) {
-    return object.address.extension == previous.address.extension &&
-           object.address.offset == previous.address.offset + sizeOf(previous.type);
-}
-
 } // namespace
 
-Result<std::vector<double>> XcpDevice::readObjects(const std::vector<const A2lObject*>& objects) {
-    std::vector<std::size_t> sorted(objects.size());
-    std::iota(sorted.begin(), sorted.end(), std::size_t{0});
-    std::sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
-        const Address& left = objects[a]->address;
-        const Address& right = objects[b]->address;
-        return std::pair(left.extension, left.offset) < std::pair(right.extension, right.offset);
-    });
-    std::vector<double> values(objects.size());
-    const ByteOrder order = m_master.session().order;
-    // Values that lie next to each other come with one command.
-    for (std::size_t begin = 0; begin < sorted.size();) {
-        std::size_t end = begin + 1;
-        std::size_t octets = sizeOf(objects[sorted[begin]]->type);
-        while (end < sorted.size() && follows(*objects[sorted[end]], *objects[sorted[end - 1]]) &&
-               octets + sizeOf(objects[sorted[end]]->type) < m_master.session().maxCto) {
-            octets += sizeOf(objects[sorted[end]]->type);
-            ++end;
-        }
-        const Result<Packet> data = m_master.read(objects[sorted[begin]]->address, octets);
-        if (!data) {
-            return failure(data.error());
-        }
-        std::size_t place = 0;
-        for (; begin < end; ++begin) {
-            const A2lObject& object = *objects[sorted[begin]];
-            values[sorted[begin]] =
-                physicalOf(Octets(*data).subspan(place, sizeOf(object.type)), object, order);
-            place += sizeOf(object.type);
-        }
-    }
-    return values;
-}
+ParameterWriter::ParameterWriter(XcpMaster& master, XcpLink& link, const BoardDescription& board,
+                                 Options options)
+    : m_master(&master), m_link(&link), m_board(&board), m_reader(master, board),
+      m_options(std::move(options)) {}
 
-Result<std::vector<double>> XcpDevice::readParameters(std::span<const std::string> names) {
-    std::vector<const A2lObject*> objects;
-    for (const std::string& name : names) {
-        if (m_board.catalogue().findParameter(name) == nullptr) {
-            return failure(ErrorCode::UnknownName, fmt::format("the device has no parameter '{}'", name),
-                           ListHint);
-        }
-        objects.push_back(m_board.characteristic(name));
-    }
-    return readObjects(objects);
-}
-
-Result<std::vector<double>> XcpDevice::readSignals(std::span<const std::string> names) {
-    std::vector<const A2lObject*> objects;
-    for (const std::string& name : names) {
-        if (m_board.catalogue().findSignal(name) == nullptr) {
-            return failure(ErrorCode::UnknownName, fmt::format("the device has no signal '{}'", name),
-                           ListHint);
-        }
-        objects.push_back(m_board.measurement(name));
-    }
-    return readObjects(objects);
-}
-
-Result<std::vector<XcpDevice::RawChange>> XcpDevice::checkedChanges(std::span<const ParameterValue> values) {
+Result<std::vector<ParameterWriter::RawChange>>
+ParameterWriter::checkedChanges(std::span<const ParameterValue> values) {
     std::vector<RawChange> changes;
     for (const ParameterValue& value : values) {
-        const ParameterSpec* spec = m_board.catalogue().findParameter(value.name);
+        const ParameterSpec* spec = m_board->catalogue().findParameter(value.name);
         if (spec == nullptr) {
-            return failure(ErrorCode::UnknownName,
-                           fmt::format("the device has no parameter '{}'", value.name), ListHint);
+            return failure(unknownParameter(value.name));
         }
         if (const Result<void> checked = checkParameterValue(*spec, value.value); !checked) {
             return failure(checked.error());
         }
         RawChange change;
-        change.target = m_board.characteristic(value.name);
-        const bool isOrder = takesOrders(m_board.catalogue(), *change.target);
+        change.target = m_board->characteristic(value.name);
+        const bool isOrder = takesOrders(m_board->catalogue(), *change.target);
         const double asked = isOrder && value.value == 1.0 ? nextOrder() : value.value;
         appendRaw(change.octets, change.target->conversion.toRaw(asked), change.target->type,
-                  m_master.session().order);
+                  m_master->session().order);
         if (isCommandName(value.name) && value.value != 0.0 &&
-            m_master.fitsOneDownload(change.octets.size())) {
+            m_master->fitsOneDownload(change.octets.size())) {
             change.command = isOrder ? XcpMaster::Repetition::Known : XcpMaster::Repetition::Unknown;
         }
         changes.push_back(std::move(change));
@@ -144,12 +66,12 @@ Result<std::vector<XcpDevice::RawChange>> XcpDevice::checkedChanges(std::span<co
     return changes;
 }
 
-double XcpDevice::nextOrder() {
+double ParameterWriter::nextOrder() {
     m_lastOrder = m_lastOrder < LastOrder ? m_lastOrder + 1.0 : FirstOrder;
     return m_lastOrder;
 }
 
-Result<void> XcpDevice::writeParameters(std::span<const ParameterValue> values) {
+Result<void> ParameterWriter::write(std::span<const ParameterValue> values) {
     if (Result<void> admitted = checkFirmware(); !admitted) {
         return admitted;
     }
@@ -160,7 +82,7 @@ Result<void> XcpDevice::writeParameters(std::span<const ParameterValue> values) 
     std::map<const A2lSegment*, std::vector<RawChange>> transactional;
     std::vector<RawChange> plain;
     for (const RawChange& change : *changes) {
-        const A2lSegment* segment = m_board.switchableSegment(*change.target);
+        const A2lSegment* segment = m_board->switchableSegment(*change.target);
         (segment != nullptr ? transactional[segment] : plain).push_back(change);
     }
     for (const auto& [segment, set] : transactional) {
@@ -174,27 +96,27 @@ Result<void> XcpDevice::writeParameters(std::span<const ParameterValue> values) 
     return readBack(*changes);
 }
 
-Result<void> XcpDevice::writeSegment(const A2lSegment& segment, const std::vector<RawChange>& changes) {
+Result<void> ParameterWriter::writeSegment(const A2lSegment& segment, const std::vector<RawChange>& changes) {
     std::vector<SegmentChange> places;
     places.reserve(changes.size());
     for (const RawChange& change : changes) {
         places.push_back({change.target->address.offset - segment.address.offset, change.octets});
     }
     std::optional<PageMismatch> mismatch;
-    Result<void> done = switchPages(m_master, m_link, segment, places, m_board.marks(segment), mismatch);
+    Result<void> done = switchPages(*m_master, *m_link, segment, places, m_board->marks(segment), mismatch);
     if (!done && mismatch) {
         return failure(ErrorCode::DeviceRefused,
                        fmt::format("the value of '{}' read back differs from the one sent",
-                                   m_board.parameterAt(segment, mismatch->offset)),
+                                   m_board->parameterAt(segment, mismatch->offset)),
                        "the old values are kept; use values within the device limits");
     }
     return done;
 }
 
 /// The methods of 3.10 for boards whose pages cannot be switched, best first.
-Result<void> XcpDevice::writePlain(const std::vector<RawChange>& changes) {
+Result<void> ParameterWriter::writePlain(const std::vector<RawChange>& changes) {
     const bool hasPages =
-        std::any_of(m_board.a2l().segments.begin(), m_board.a2l().segments.end(),
+        std::any_of(m_board->a2l().segments.begin(), m_board->a2l().segments.end(),
                     [](const A2lSegment& segment) { return segment.hasTwoWritablePages(); });
     const bool hasCommand = std::any_of(changes.begin(), changes.end(),
                                         [](const RawChange& change) { return change.command.has_value(); });
@@ -209,22 +131,22 @@ Result<void> XcpDevice::writePlain(const std::vector<RawChange>& changes) {
         return {};
     }
     if (m_options.useVendorBrackets) {
-        if (Result<void> begun = m_master.userCommand(0x01); !begun) {
+        if (Result<void> begun = m_master->userCommand(0x01); !begun) {
             return begun;
         }
         Result<void> written = writeOneByOne(changes);
-        const Result<void> ended = m_master.userCommand(0x02);
+        const Result<void> ended = m_master->userCommand(0x02);
         return written ? ended : written;
     }
     if (!m_hasWarnedOneByOne) {
         m_hasWarnedOneByOne = true;
-        message("this device cannot change a set at once: values change one by one");
+        m_options.onMessage("this device cannot change a set at once: values change one by one");
     }
     return writeOneByOne(changes);
 }
 
 /// True when all values lie next to each other and one command carried them.
-Result<bool> XcpDevice::writeAdjacent(const std::vector<RawChange>& changes) {
+Result<bool> ParameterWriter::writeAdjacent(const std::vector<RawChange>& changes) {
     std::vector<const RawChange*> sorted;
     sorted.reserve(changes.size());
     for (const RawChange& change : changes) {
@@ -240,10 +162,10 @@ Result<bool> XcpDevice::writeAdjacent(const std::vector<RawChange>& changes) {
         }
         octets.insert(octets.end(), sorted[i]->octets.begin(), sorted[i]->octets.end());
     }
-    if (!m_master.fitsOneDownload(octets.size())) {
+    if (!m_master->fitsOneDownload(octets.size())) {
         return false;
     }
-    const Result<void> written = m_master.writeInOneDownload(sorted.front()->target->address, octets);
+    const Result<void> written = m_master->writeInOneDownload(sorted.front()->target->address, octets);
     if (!written) {
         return failure(written.error());
     }
@@ -252,9 +174,9 @@ Result<bool> XcpDevice::writeAdjacent(const std::vector<RawChange>& changes) {
 
 /// When the answer is lost nobody knows whether the motion has begun, and the repetition would begin another:
 /// it is ended instead, which may be repeated.
-Result<void> XcpDevice::commandOnce(const RawChange& change) {
+Result<void> ParameterWriter::commandOnce(const RawChange& change) {
     const Result<std::optional<Error>> trouble =
-        m_master.writeOnce(change.target->address, change.octets, *change.command);
+        m_master->writeOnce(change.target->address, change.octets, *change.command);
     if (!trouble) {
         return failure(trouble.error());
     }
@@ -262,7 +184,7 @@ Result<void> XcpDevice::commandOnce(const RawChange& change) {
         return {};
     }
     const Packet end(change.octets.size(), 0);
-    if (const Result<void> ended = m_master.write(change.target->address, end); !ended) {
+    if (const Result<void> ended = m_master->write(change.target->address, end); !ended) {
         return failure(ended.error());
     }
     return failure(
@@ -271,10 +193,10 @@ Result<void> XcpDevice::commandOnce(const RawChange& change) {
         "check the position of the actuator, then start again; newer firmware tolerates a lost answer");
 }
 
-Result<void> XcpDevice::writeOneByOne(const std::vector<RawChange>& changes) {
+Result<void> ParameterWriter::writeOneByOne(const std::vector<RawChange>& changes) {
     for (const RawChange& change : changes) {
         const Result<void> written =
-            change.command ? commandOnce(change) : m_master.write(change.target->address, change.octets);
+            change.command ? commandOnce(change) : m_master->write(change.target->address, change.octets);
         if (!written) {
             Error error = written.error();
             error.message = fmt::format("parameter '{}': {}", change.target->name, error.message);
@@ -284,7 +206,7 @@ Result<void> XcpDevice::writeOneByOne(const std::vector<RawChange>& changes) {
     return {};
 }
 
-Result<void> XcpDevice::readBack(const std::vector<RawChange>& changes) {
+Result<void> ParameterWriter::readBack(const std::vector<RawChange>& changes) const {
     std::map<const A2lCharacteristic*, const RawChange*> last; // of a name given twice the later value counts
     for (const RawChange& change : changes) {
         last[change.target] = &change;
@@ -297,12 +219,12 @@ Result<void> XcpDevice::readBack(const std::vector<RawChange>& changes) {
             expected.push_back(change);
         }
     }
-    const Result<std::vector<double>> values = readObjects(objects);
+    const Result<std::vector<double>> values = m_reader.readObjects(objects);
     if (!values) {
         return failure(values.error());
     }
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        const double sent = physicalOf(expected[i]->octets, *objects[i], m_master.session().order);
+        const double sent = physicalOf(expected[i]->octets, *objects[i], m_master->session().order);
         if ((*values)[i] != sent) {
             return failure(ErrorCode::DeviceRefused,
                            fmt::format("value of '{}' after writing: {} {} instead of {}", objects[i]->name,
@@ -313,16 +235,16 @@ Result<void> XcpDevice::readBack(const std::vector<RawChange>& changes) {
     return {};
 }
 
-Result<void> XcpDevice::saveParameters() {
+Result<void> ParameterWriter::save() {
     if (Result<void> admitted = checkFirmware(); !admitted) {
         return admitted;
     }
-    return m_master.storeCalibration();
+    return m_master->storeCalibration();
 }
 
 /// Names lead to addresses: those of another firmware may lead anywhere, so that nothing is written by them.
-Result<void> XcpDevice::checkFirmware() const {
-    return m_options.identity.otherFirmware.empty()
+Result<void> ParameterWriter::checkFirmware() const {
+    return m_options.identity->otherFirmware.empty()
                ? Result<void>()
                : failure(ErrorCode::DeviceRefused,
                          "writing is blocked: the description does not match the firmware of the device",

@@ -1,7 +1,8 @@
-#include "devices/xcp/xcp_device_impl.h"
+#include "devices/xcp/safety_session.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace halbench::devices::xcp {
@@ -20,6 +21,7 @@ constexpr double StopPeriod_s = 0.010;
 constexpr int RestoreTries = 3;
 constexpr double StatePatience_s = 0.5;
 constexpr double StatePoll_s = 0.002;
+constexpr double IdleStatusPeriod_s = 0.25;
 
 std::string wordOf(const A2lMeasurement& signal, double value) {
     const auto found = signal.conversion.words.find(static_cast<std::int64_t>(value));
@@ -37,25 +39,25 @@ Error unknownRelease(const Error& unanswered, const std::string& state) {
 
 } // namespace
 
-DeviceState XcpDevice::state() const {
-    DeviceState state = m_state;
-    state.isConnected = state.isConnected && !m_link.lost();
-    return state;
-}
+SafetySession::SafetySession(XcpMaster& master, XcpLink& link, const BoardDescription& board,
+                             ParameterWriter& writer, Options options)
+    : m_master(&master), m_link(&link), m_board(&board), m_reader(master, board), m_writer(&writer),
+      m_options(std::move(options)) {}
 
-void XcpDevice::onEvent(std::uint8_t code) {
-    const auto event = static_cast<Event>(code);
-    m_isStateStale = m_isStateStale || event == Event::User;
-    if (event == Event::DaqOverload) {
-        message("the board could not send all samples in time");
+void SafetySession::leave() {
+    if (m_expectsArmed && !m_link->lost()) {
+        (void)disarm();
+    }
+    if (m_formerWatchdog_ms && (!refreshState() || !m_state.isArmed)) {
+        (void)restoreWatchdog(); // of a board that was stopped, or never armed
     }
 }
 
-Result<void> XcpDevice::refreshState() {
+Result<void> SafetySession::refreshState() {
     m_isStateStale = false;
     std::vector<const A2lObject*> objects;
-    const A2lMeasurement* status = m_board.measurement(StatusName);
-    const A2lMeasurement* fault = m_board.measurement(FaultName);
+    const A2lMeasurement* status = m_board->measurement(StatusName);
+    const A2lMeasurement* fault = m_board->measurement(FaultName);
     if (status == nullptr) {
         return {}; // a foreign board: nothing is known of its state
     }
@@ -63,7 +65,7 @@ Result<void> XcpDevice::refreshState() {
     if (fault != nullptr) {
         objects.push_back(fault);
     }
-    const Result<std::vector<double>> values = readObjects(objects);
+    const Result<std::vector<double>> values = m_reader.readObjects(objects);
     if (!values) {
         return failure(values.error());
     }
@@ -81,27 +83,27 @@ Result<void> XcpDevice::refreshState() {
     return {};
 }
 
-Error XcpDevice::safetyError() const {
+Error SafetySession::safetyError() const {
     const std::string cause = m_state.faultText.empty() ? "the board stopped" : m_state.faultText;
     return {ErrorCode::SafetyStop, fmt::format("the board stopped the actuator: {}", cause),
             "find the cause, then clear the stop before arming again"};
 }
 
-Result<void> XcpDevice::writeLive(const std::string& name, double value) {
-    if (m_board.catalogue().findParameter(name) == nullptr) {
+Result<void> SafetySession::writeLive(const std::string& name, double value) {
+    if (m_board->catalogue().findParameter(name) == nullptr) {
         return failure(ErrorCode::DeviceRefused,
                        fmt::format("this device has no '{}' and cannot be armed by this program", name),
                        "use the manufacturer's program to arm it");
     }
     const ParameterValue change{name, value};
-    return writeParameters({&change, 1});
+    return m_writer->write({&change, 1});
 }
 
 /// Ours while the board is armed; what it had before is kept for restoreWatchdog().
-Result<void> XcpDevice::setWatchdog() {
+Result<void> SafetySession::setWatchdog() {
     const std::string name = WatchdogName;
-    if (!m_formerWatchdog_ms && m_board.catalogue().findParameter(name) != nullptr) {
-        const Result<std::vector<double>> former = readParameters({&name, 1});
+    if (!m_formerWatchdog_ms && m_board->catalogue().findParameter(name) != nullptr) {
+        const Result<std::vector<double>> former = m_reader.readParameters({&name, 1});
         if (!former) {
             return failure(former.error());
         }
@@ -113,27 +115,27 @@ Result<void> XcpDevice::setWatchdog() {
 /// The next master of a board that is not armed may say nothing for longer than we do. A value that was
 /// changed meanwhile is somebody's wish and stays. What could not be restored is tried again when the device
 /// is left.
-Result<void> XcpDevice::restoreWatchdog() {
-    if (!m_formerWatchdog_ms || m_link.lost()) {
+Result<void> SafetySession::restoreWatchdog() {
+    if (!m_formerWatchdog_ms || m_link->lost()) {
         return {};
     }
     Result<void> restored = writeFormerWatchdog();
-    for (int attempt = 1; attempt < RestoreTries && !restored && !m_link.lost(); ++attempt) {
+    for (int attempt = 1; attempt < RestoreTries && !restored && !m_link->lost(); ++attempt) {
         restored = writeFormerWatchdog();
     }
     if (restored) {
         m_formerWatchdog_ms.reset();
     } else {
-        message(fmt::format(
+        m_options.onMessage(fmt::format(
             "parameter {} of the device may still be {} instead of {} ms, as before arming: {}", WatchdogName,
             1000.0 * m_options.watchdog_s, *m_formerWatchdog_ms, restored.error().message));
     }
     return restored;
 }
 
-Result<void> XcpDevice::writeFormerWatchdog() {
+Result<void> SafetySession::writeFormerWatchdog() {
     const std::string name = WatchdogName;
-    const Result<std::vector<double>> now = readParameters({&name, 1});
+    const Result<std::vector<double>> now = m_reader.readParameters({&name, 1});
     if (!now) {
         return failure(now.error());
     }
@@ -142,18 +144,18 @@ Result<void> XcpDevice::writeFormerWatchdog() {
 }
 
 /// One set-point, or that of each axis: hb.setpoint.x and so on.
-Result<void> XcpDevice::zeroSetpoints() {
+Result<void> SafetySession::zeroSetpoints() {
     std::vector<ParameterValue> zero;
-    for (const ParameterSpec& spec : m_board.catalogue().parameters) {
+    for (const ParameterSpec& spec : m_board->catalogue().parameters) {
         if (spec.name == SetpointName || startsWith(spec.name, std::string(SetpointName) + ".")) {
             zero.push_back({spec.name, 0.0});
         }
     }
-    return zero.empty() ? writeLive(SetpointName, 0.0) : writeParameters(zero);
+    return zero.empty() ? writeLive(SetpointName, 0.0) : m_writer->write(zero);
 }
 
-Result<void> XcpDevice::arm() {
-    if (Result<void> admitted = checkFirmware(); !admitted) {
+Result<void> SafetySession::arm() {
+    if (Result<void> admitted = m_writer->checkFirmware(); !admitted) {
         return admitted;
     }
     if (Result<void> known = refreshState(); !known) {
@@ -171,18 +173,18 @@ Result<void> XcpDevice::arm() {
         return zero;
     }
     m_nextStatus_s = now_s() + m_options.watchdog_s / 4.0;
-    m_link.limitAnswerTimeout(std::max(m_options.watchdog_s / 10.0, 4.0 * m_link.roundTripMedian_s()));
+    m_link->limitAnswerTimeout(std::max(m_options.watchdog_s / 10.0, 4.0 * m_link->roundTripMedian_s()));
     if (Result<void> armed = writeLive(ArmName, 1.0); !armed) {
-        m_link.limitAnswerTimeout(std::nullopt);
+        m_link->limitAnswerTimeout(std::nullopt);
         return armed;
     }
     m_expectsArmed = true;
     return awaitArmed(true);
 }
 
-Result<void> XcpDevice::disarm() {
+Result<void> SafetySession::disarm() {
     m_expectsArmed = false;
-    m_link.limitAnswerTimeout(std::nullopt);
+    m_link->limitAnswerTimeout(std::nullopt);
     if (Result<void> written = writeLive(ArmName, 0.0); !written) {
         return written;
     }
@@ -193,7 +195,7 @@ Result<void> XcpDevice::disarm() {
 }
 
 /// The board takes an order at its next cycle.
-Result<void> XcpDevice::awaitArmed(bool isArmed) {
+Result<void> SafetySession::awaitArmed(bool isArmed) {
     const double end_s = now_s() + StatePatience_s;
     for (;;) {
         if (Result<void> known = refreshState(); !known) {
@@ -212,20 +214,20 @@ Result<void> XcpDevice::awaitArmed(bool isArmed) {
                            fmt::format("the device does not {}", isArmed ? "arm" : "disarm"),
                            "use the stop switch at the actuator and check the device");
         }
-        if (Result<void> pumped = m_link.pumpUntil(now_s() + StatePoll_s); !pumped) {
+        if (Result<void> pumped = m_link->pumpUntil(now_s() + StatePoll_s); !pumped) {
             return pumped;
         }
     }
 }
 
-void XcpDevice::stop() noexcept {
-    for (int attempt = 0; attempt < StopTries && !m_link.lost(); ++attempt) {
+void SafetySession::stop() noexcept {
+    for (int attempt = 0; attempt < StopTries && !m_link->lost(); ++attempt) {
         const double next_s = now_s() + StopPeriod_s;
-        if (!m_link.sendStop()) {
+        if (!m_link->sendStop()) {
             break;
         }
-        const Result<bool> answered = m_link.pumpUntilAnswer(StopPeriod_s);
-        if (!answered || !m_link.pumpUntil(next_s)) {
+        const Result<bool> answered = m_link->pumpUntilAnswer(StopPeriod_s);
+        if (!answered || !m_link->pumpUntil(next_s)) {
             break;
         }
         // Without an answer the next try is due; what the board says of itself can wait.
@@ -234,24 +236,24 @@ void XcpDevice::stop() noexcept {
             break;
         }
     }
-    m_state.isConnected = m_state.isConnected && !m_link.lost();
-    if (m_board.measurement(StatusName) == nullptr) {
-        message("this device does not report whether it stopped: use the stop switch at the actuator");
+    if (m_board->measurement(StatusName) == nullptr) {
+        m_options.onMessage(
+            "this device does not report whether it stopped: use the stop switch at the actuator");
     }
 }
 
 /// Whoever releases has seen what latched; what latches afterwards is for him to see first. The board says
 /// what became of a release whose answer was lost: released, or still stopped, from before or anew.
-Result<void> XcpDevice::clearStop() {
-    if (Result<void> admitted = checkFirmware(); !admitted) {
+Result<void> SafetySession::clearStop() {
+    if (Result<void> admitted = m_writer->checkFirmware(); !admitted) {
         return admitted;
     }
     m_expectsArmed = false;
-    const Result<std::optional<Error>> unanswered = m_master.releaseStop();
+    const Result<std::optional<Error>> unanswered = m_master->releaseStop();
     if (!unanswered) {
         return failure(unanswered.error());
     }
-    if (*unanswered && m_board.measurement(StatusName) == nullptr) {
+    if (*unanswered && m_board->measurement(StatusName) == nullptr) {
         return failure(unknownRelease(**unanswered, "release state unknown"));
     }
     const double end_s = now_s() + StatePatience_s;
@@ -269,10 +271,25 @@ Result<void> XcpDevice::clearStop() {
                                  fmt::format("the device does not release its stop: {}", m_state.faultText),
                                  "remove the cause first");
         }
-        if (Result<void> pumped = m_link.pumpUntil(now_s() + StatePoll_s); !pumped) {
+        if (Result<void> pumped = m_link->pumpUntil(now_s() + StatePoll_s); !pumped) {
             return pumped;
         }
     }
+}
+
+/// Any command restarts the board's watchdog (3.11); reading the state tells at the same time of faults.
+Result<void> SafetySession::feedWatchdog() {
+    const Result<StatusResponse> status = m_master->status();
+    if (!status) {
+        return failure(status.error());
+    }
+    m_nextStatus_s = now_s() + std::min(m_options.watchdog_s / 4.0, IdleStatusPeriod_s);
+    return refreshState();
+}
+
+Result<void> SafetySession::checkStop() const {
+    const bool hasLatched = m_state.isStopLatched || m_state.fault != 0;
+    return m_expectsArmed && !m_state.isArmed && hasLatched ? failure(safetyError()) : Result<void>();
 }
 
 } // namespace halbench::devices::xcp
