@@ -194,6 +194,17 @@ const std::array Specs = {
                         "spread of the drawn temperature errors", HB_SHARED(temperatureSpread_K)},
 };
 
+constexpr std::array Symbols = {
+    PlanarSymbol{"L", "L_mm", "m"},
+    PlanarSymbol{"Delta", "magnet_thickness_mm", "m"},
+    PlanarSymbol{"a", "coil_width_mm", "m"},
+    PlanarSymbol{"d", "coil_height_mm", "m"},
+    PlanarSymbol{"z1", "z1_mm", "m"},
+    PlanarSymbol{"c56", "c56_mm", "m"},
+    PlanarSymbol{"b_s", "hall_field_mT", "T"},
+    PlanarSymbol{"sigma_B", "hall_noise_uT", "T"},
+};
+
 #undef HB_CHIP
 #undef HB_ERROR
 #undef HB_SHARED
@@ -203,15 +214,37 @@ bool isCount(std::string_view key) {
     return key == "delay_samples" || key == "dac_bits" || key == "adc_bits" || key == "lattice_pitches";
 }
 
-Result<void> checkRange(const PlanarParameterSpec& spec, double value) {
-    const std::string hint = fmt::format("Allowed: {} to {}{}{}{}. Known keys: {}.", spec.min, spec.max,
-                                         spec.unit.empty() ? "" : " ", spec.unit,
-                                         isCount(spec.key) ? ", whole numbers" : "", planarParameterKeys());
-    if (!std::isfinite(value)) {
-        return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", spec.key), hint);
+const PlanarSymbol* findSymbol(std::string_view key) {
+    const auto found =
+        std::find_if(Symbols.begin(), Symbols.end(), [&](const auto& each) { return each.symbol == key; });
+    return found == Symbols.end() ? nullptr : &*found;
+}
+
+/// A value under the name and in the unit in which it is written.
+struct WrittenValue {
+    const PlanarParameterSpec* spec;
+    std::string_view name, unit;
+    double toSi, min, max;
+};
+
+WrittenValue writtenAs(const PlanarParameterSpec& spec, std::string_view key) {
+    if (const PlanarSymbol* symbol = findSymbol(key)) {
+        return {&spec, key, symbol->unit, 1.0, spec.min * spec.toSi, spec.max * spec.toSi};
     }
-    if (value < spec.min || value > spec.max || (isCount(spec.key) && value != std::floor(value))) {
-        return failure(ErrorCode::OutOfRange, fmt::format("{} = {} is out of range", spec.key, value), hint);
+    return {&spec, key, spec.unit, spec.toSi, spec.min, spec.max};
+}
+
+Result<void> checkRange(const WrittenValue& written, double value) {
+    const bool isWhole = isCount(written.spec->key);
+    const std::string hint = fmt::format("Allowed: {:.6g} to {:.6g}{}{}{}. Known keys: {}.", written.min,
+                                         written.max, written.unit.empty() ? "" : " ", written.unit,
+                                         isWhole ? ", whole numbers" : "", planarParameterKeys());
+    if (!std::isfinite(value)) {
+        return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", written.name), hint);
+    }
+    if (value < written.min || value > written.max || (isWhole && value != std::floor(value))) {
+        return failure(ErrorCode::OutOfRange, fmt::format("{} = {} is out of range", written.name, value),
+                       hint);
     }
     return {};
 }
@@ -222,9 +255,15 @@ std::span<const PlanarParameterSpec> planarParameterSpecs() {
     return Specs;
 }
 
+std::span<const PlanarSymbol> planarSymbols() {
+    return Symbols;
+}
+
 const PlanarParameterSpec* findPlanarParameter(std::string_view key) {
+    const PlanarSymbol* symbol = findSymbol(key);
+    const std::string_view name = symbol == nullptr ? key : symbol->key;
     const auto found =
-        std::find_if(Specs.begin(), Specs.end(), [&](const auto& spec) { return spec.key == key; });
+        std::find_if(Specs.begin(), Specs.end(), [&](const auto& spec) { return spec.key == name; });
     return found == Specs.end() ? nullptr : &*found;
 }
 
@@ -232,6 +271,9 @@ std::string planarParameterKeys() {
     std::string keys;
     for (const PlanarParameterSpec& spec : Specs) {
         keys += (keys.empty() ? "" : ", ") + std::string(spec.key);
+    }
+    for (const PlanarSymbol& symbol : Symbols) {
+        keys += ", " + std::string(symbol.symbol);
     }
     return keys + ", seed, imperfections, chain";
 }
@@ -243,13 +285,14 @@ Result<void> setPlanarParameter(PlanarParameters& parameters, std::string_view k
                        fmt::format("the planar positioner has no parameter '{}'", key),
                        "Known keys: " + planarParameterKeys() + ".");
     }
-    if (auto checked = checkRange(*spec, value); !checked) {
+    const WrittenValue written = writtenAs(*spec, key);
+    if (auto checked = checkRange(written, value); !checked) {
         return checked;
     }
     if (spec->value != nullptr) {
-        spec->value(parameters) = value * spec->toSi;
+        spec->value(parameters) = value * written.toSi;
     } else {
-        spec->specimen(parameters) = value * spec->toSi;
+        spec->specimen(parameters) = value * written.toSi;
     }
     return {};
 }
@@ -257,12 +300,13 @@ Result<void> setPlanarParameter(PlanarParameters& parameters, std::string_view k
 std::optional<double> planarParameter(const PlanarParameters& parameters, std::string_view key) {
     const PlanarParameterSpec* spec = findPlanarParameter(key);
     HB_ASSERT(spec != nullptr);
+    const double toSi = writtenAs(*spec, key).toSi;
     PlanarParameters copy = parameters;
     if (spec->value != nullptr) {
-        return spec->value(copy) / spec->toSi;
+        return spec->value(copy) / toSi;
     }
     const std::optional<double> si = spec->specimen(copy);
-    return si ? std::optional<double>(*si / spec->toSi) : std::nullopt;
+    return si ? std::optional<double>(*si / toSi) : std::nullopt;
 }
 
 Result<void> checkPlanarParameters(const PlanarParameters& parameters) {

@@ -106,20 +106,30 @@ struct PlanarParameterSpec {
     std::optional<double>& (*specimen)(PlanarParameters&) = nullptr; ///< instead of `value` if drawn by seed
 };
 
+/// Symbol of the equations for a value whose key names a unit; written in SI.
+struct PlanarSymbol {
+    std::string_view symbol;
+    std::string_view key; ///< of a PlanarParameterSpec
+    std::string_view unit;
+};
+
 /// The closed list of values, in the order of the help page.
 std::span<const PlanarParameterSpec> planarParameterSpecs();
+/// Second names of some of them.
+std::span<const PlanarSymbol> planarSymbols();
 
-/// nullptr if there is no such key.
+/// The value that a key or a symbol names; nullptr if there is none.
 const PlanarParameterSpec* findPlanarParameter(std::string_view key);
 
-/// "m, Iz, ... seed, imperfections, chain": every key of an address, for messages.
+/// "m, Iz, ... sigma_B, seed, imperfections, chain": every key of an address, for messages.
 std::string planarParameterKeys();
 
-/// Sets one value by its key, given in the key's unit. Errors: UnknownName (the hint lists the known keys),
-/// NotFinite, OutOfRange.
+/// Sets one value by its key, given in the key's unit, or by its symbol, in SI. Errors: UnknownName (the hint
+/// lists the known keys), NotFinite, OutOfRange.
 Result<void> setPlanarParameter(PlanarParameters& parameters, std::string_view key, double value);
 
-/// The value in the key's unit; empty for a specimen's error that the seed decides. The key must exist.
+/// The value in the unit that setPlanarParameter() takes; empty for a specimen's error that the seed decides.
+/// The key must exist.
 std::optional<double> planarParameter(const PlanarParameters& parameters, std::string_view key);
 
 /// OutOfRange when values that are possible alone make no machine together: coils wider than their window.

@@ -129,7 +129,26 @@ private:
     std::string m_identity;
 };
 
+// A key and its symbol are one value: none of two that are written is the one that is meant.
+Result<void> checkWrittenOnce(const Overrides& overrides) {
+    for (const models::PlanarSymbol& symbol : models::planarSymbols()) {
+        const auto isWritten = [&overrides](std::string_view key) {
+            return std::any_of(overrides.begin(), overrides.end(),
+                               [key](const auto& each) { return each.first == key; });
+        };
+        if (isWritten(symbol.symbol) && isWritten(symbol.key)) {
+            return failure(ErrorCode::InvalidInput,
+                           fmt::format("{} and {} are the same value", symbol.symbol, symbol.key),
+                           "Give one of them.");
+        }
+    }
+    return {};
+}
+
 Result<models::PlanarParameters> planarParameters(const Overrides& overrides) {
+    if (auto checked = checkWrittenOnce(overrides); !checked) {
+        return failure(checked.error());
+    }
     const OverrideTable<models::PlanarParameters> table = {
         "sim:planar",
         models::planarParameterKeys(),

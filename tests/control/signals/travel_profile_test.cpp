@@ -1,6 +1,5 @@
-#include "control/base/random.h"
 #include "control/signals/plane_path.h"
-#include "control/signals/travel_profile.h"
+#include "tests/control/signals/random_travels.h"
 
 #include <gtest/gtest.h>
 
@@ -10,63 +9,8 @@
 namespace halbench::control {
 namespace {
 
-/// Evenly in the logarithm between two powers of ten.
-double decades(Random& random, double from, double to) {
-    return std::pow(10.0, from + (to - from) * random.uniform());
-}
-
-struct RandomMove {
-    double distance;
-    TravelLimits limits;
-};
-
-/// From a micrometre to a metre, each limit over several decades: all shapes of the seven pieces occur.
-RandomMove randomMove(Random& random) {
-    RandomMove move;
-    move.distance = (random.uniform() < 0.5 ? -1.0 : 1.0) * decades(random, -6.0, 0.0);
-    move.limits.speed = decades(random, -3.0, 1.0);
-    move.limits.acceleration = decades(random, -2.0, 2.0);
-    if (random.uniform() < 0.75) {
-        move.limits.jerk = decades(random, -1.0, 4.0);
-    }
-    return move;
-}
-
-// The pieces are polynomials: speed, acceleration and jerk are largest at the corners, which the figures of
-// the solution are. 1e-10 of the limits and 1e-8 of the distance leave the double precision of a handful of
-// operations three decades of room.
-TEST(TravelProfile, keepsItsLimitsAndArrivesOverManyRandomMoves) {
-    Random random(1);
-    std::array<int, 4> seen{}; // constant speed, constant acceleration only, jerks only, no jerk limit
-    for (int i = 0; i < 20000; ++i) {
-        const RandomMove move = randomMove(random);
-        const auto profile = TravelProfile::solve(move.distance, move.limits);
-        ASSERT_TRUE(profile) << profile.error().message;
-        constexpr double Slack = 1.0 + 1e-10;
-        ASSERT_LE(std::fabs(profile->peakSpeed()), move.limits.speed * Slack);
-        ASSERT_LE(std::fabs(profile->peakAcceleration()), move.limits.acceleration * Slack);
-        if (move.limits.jerk) {
-            ASSERT_TRUE(profile->jerk());
-            ASSERT_LE(std::fabs(*profile->jerk()), *move.limits.jerk * Slack);
-        } else {
-            ASSERT_FALSE(profile->jerk());
-        }
-        // Up to the end from both sides: the last instant before it and the end itself agree.
-        const double end_s = profile->duration_s();
-        ASSERT_EQ(profile->at(end_s).value, move.distance);
-        ASSERT_NEAR(profile->at(0.5 * end_s).value, 0.5 * move.distance, 1e-8 * std::fabs(move.distance));
-        // As fast as possible: one of the limits is reached in the middle of the travel.
-        const bool isFast = std::fabs(profile->peakSpeed()) > move.limits.speed * (1.0 - 1e-9);
-        const bool isStrong =
-            std::fabs(profile->peakAcceleration()) > move.limits.acceleration * (1.0 - 1e-9);
-        const bool isJerky =
-            move.limits.jerk && std::fabs(*profile->jerk()) > *move.limits.jerk * (1.0 - 1e-9);
-        ASSERT_TRUE(isJerky || (!move.limits.jerk && isStrong));
-        ++seen[!move.limits.jerk ? 3U : isFast ? 0U : isStrong ? 1U : 2U];
-    }
-    for (const int count : seen) {
-        EXPECT_GT(count, 500);
-    }
+TEST(TravelProfile, keepsItsLimitsWithoutJumpsAndArrivesOverManyRandomMoves) {
+    expectTravels(1, 20000);
 }
 
 // Second route to position, speed and acceleration: the jerk integrated by its definition, in small steps.

@@ -1,7 +1,7 @@
 #include "control/base/random.h"
 #include "control/signals/plane_path.h"
 #include "devices/firmware/planar/hb_planar_path.h"
-#include "devices/firmware/planar/hb_planar_profile.h"
+#include "tests/devices/firmware/planar/random_board_travels.h"
 
 #include <gtest/gtest.h>
 
@@ -78,6 +78,10 @@ TEST(PlanarProfile, isTheOneOfDoublePrecision) {
         }
         EXPECT_EQ(hb_profile_point(&profile).value, distance);
     }
+}
+
+TEST(PlanarProfile, keepsItsLimitsWithoutJumpsAndArrivesOverManyRandomMoves) {
+    expectBoardTravels(1, 20000);
 }
 
 TEST(PlanarProfile, withoutLimitsDoesNotMove) {
