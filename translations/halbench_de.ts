@@ -9246,6 +9246,14 @@
         <source>repeat it as it is: it ends where its last line ends</source>
         <translation>wiederholen Sie sie, wie sie ist: sie endet, wo ihre letzte Zeile endet</translation>
     </message>
+    <message>
+        <source>{} and {} are the same value</source>
+        <translation>{} und {} sind derselbe Wert</translation>
+    </message>
+    <message>
+        <source>Give one of them.</source>
+        <translation>Geben Sie nur einen davon an.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -9246,6 +9246,14 @@
         <source>repeat it as it is: it ends where its last line ends</source>
         <translation>请按原样重复：它在最后一行的终点结束</translation>
     </message>
+    <message>
+        <source>{} and {} are the same value</source>
+        <translation>{} 和 {} 是同一个值</translation>
+    </message>
+    <message>
+        <source>Give one of them.</source>
+        <translation>只给出其中一个。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
