@@ -96,6 +96,7 @@ Reply<Packet> XcpLink::exchange(const Packet& command, double patience_s) {
         return tl::unexpected(*std::move(overtaken));
     }
     const bool isConnecting = command[0] == static_cast<std::uint8_t>(Command::Connect);
+    m_hasSession = m_hasSession && !isConnecting;
     if (m_isOutOfStep && !isConnecting) { // a board that is not connected does not answer SYNCH
         if (const Result<void> synchronised = synchronise(); !synchronised) {
             return tl::unexpected(Trouble{TroubleCause::Lost, 0, synchronised.error()});
@@ -123,6 +124,7 @@ Reply<Packet> XcpLink::exchange(const Packet& command, double patience_s) {
     }
     Reply<Packet> reply = awaitAnswer(command[0], start_s + (patience_s > 0.0 ? patience_s : timeout_s()));
     if (reply) {
+        m_hasSession = m_hasSession || isConnecting;
         m_lastExchange = {start_s, m_transport->now_s()};
         noteRoundTrip(m_lastExchange.answered_s - start_s);
     }
@@ -211,7 +213,8 @@ void XcpLink::handleEvent() {
     if (m_handlers.onEvent) {
         m_handlers.onEvent(code, m_packet);
     }
-    if (code == static_cast<std::uint8_t>(Event::SessionTerminated)) {
+    // What comes before a session begins was said of an earlier one.
+    if (code == static_cast<std::uint8_t>(Event::SessionTerminated) && m_hasSession) {
         markLost({ErrorCode::DeviceLost,
                   fmt::format("{} ended the session (watchdog timeout, or another program connected)",
                               m_transport->description()),

@@ -20,12 +20,15 @@
 #include <functional>
 #include <memory>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace halbench::app {
 
 /// A simulated motor's board that lives on while its cable is pulled and put back: the bytes are those of a
-/// real one, the line is whatever `plug` makes. Line and board belong to a thread of their own.
+/// real one, the line is whatever `plug` makes. Line and board belong to a thread of their own. Where the
+/// machine is too busy to serve it, the board's time stands still: its watchdog would end a session that
+/// nobody left.
 class PluggableBoard : private devices::ServedBoard {
 public:
     using Plug = std::function<std::unique_ptr<devices::ServerPort>()>;
@@ -54,8 +57,11 @@ public:
     bool isArmed() const { return m_isArmed; }
 
 private:
+    static constexpr double LongestTurn_s = 0.02;
+
     void run() {
-        const auto start = std::chrono::steady_clock::now();
+        auto last = std::chrono::steady_clock::now();
+        double board_s = 0.0;
         std::unique_ptr<devices::ServerPort> port;
         while (!m_isEnding) {
             if (m_isWanted != m_isPlugged) {
@@ -67,7 +73,10 @@ private:
             } else {
                 (void)::poll(nullptr, 0, 1); // the board's tick
             }
-            advanceTo(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+            const auto now = std::chrono::steady_clock::now();
+            board_s += std::min(std::chrono::duration<double>(now - std::exchange(last, now)).count(),
+                                LongestTurn_s);
+            advanceTo(board_s);
             if (port) {
                 port->exchange(*this);
             }
@@ -158,26 +167,15 @@ private:
         ASSERT_TRUE(*answer) << answer->error().message;
     }
 
-    /// Asks again while the board is away: a busy machine may lose the line once more.
     double value(const std::string& name) {
         std::optional<Result<std::vector<double>>> values;
-        bool isAsking = false;
-        const bool hasCome = wait([&] {
-            if (!isAsking && !(values && *values) && session.state() == SessionState::Connected) {
-                isAsking = true;
-                session.request(
-                    [name](devices::Device& device) {
-                        return device.readParameters({&name, 1});
-                    },
-                    [&](const Result<std::vector<double>>& read) {
-                        values = read;
-                        isAsking = false;
-                    });
-            }
-            return !isAsking && values && *values;
-        });
-        EXPECT_TRUE(hasCome) << name;
-        return hasCome ? (*values)->front() : -1.0;
+        session.request(
+            [name](devices::Device& device) {
+                return device.readParameters({&name, 1});
+            },
+            [&](const Result<std::vector<double>>& read) { values = read; });
+        EXPECT_TRUE(wait([&] { return values.has_value(); }));
+        return values && *values ? (*values)->front() : -1.0;
     }
 
     void move(PluggableBoard& board) {

@@ -124,6 +124,28 @@ TEST(Recovery, answersToOldSynchronisationsAreNotTakenForTheNextCommands) {
     }
 }
 
+// What a board said of an earlier session may still be on its way when the next one begins: a line that was
+// put back, an event of the watchdog behind it.
+TEST(Recovery, theEndOfAnEarlierSessionEndsNoNewOne) {
+    for (const bool isBeforeAnswer : {false, true}) {
+        SCOPED_TRACE(isBeforeAnswer ? "between request and answer" : "before the request");
+        auto slave = std::make_unique<TestSlave>();
+        const Packet sessionTerminated = {0xFD, 0x07};
+        if (isBeforeAnswer) {
+            slave->bendAnswers = [&](const Packet& command, std::deque<Packet>& answers) {
+                if (command[0] == static_cast<std::uint8_t>(Command::Connect)) {
+                    answers.push_front(sessionTerminated);
+                }
+            };
+        } else {
+            slave->say(sessionTerminated);
+        }
+        const auto device = openXcpDevice(std::move(slave), {});
+        ASSERT_TRUE(device) << device.error().message;
+        doTheWork(**device);
+    }
+}
+
 TEST(Recovery, repeatedDownloadsStartFromTheirAddress) {
     // An answer lost after DOWNLOAD leaves the transfer pointer moved: the repetition must set it again
     // (3.6).
