@@ -28,10 +28,6 @@ std::string wordOf(const A2lMeasurement& signal, double value) {
     return found == signal.conversion.words.end() ? std::string() : found->second;
 }
 
-bool startsWith(const std::string& text, std::string_view beginning) {
-    return text.compare(0, beginning.size(), beginning) == 0;
-}
-
 Error unknownRelease(const Error& unanswered, const std::string& state) {
     return {ErrorCode::Protocol, fmt::format("{}; {}", unanswered.message, state),
             "remove the cause, then release the stop again"};
@@ -71,7 +67,7 @@ Result<void> SafetySession::refreshState() {
     }
     const std::string word = wordOf(*status, (*values)[0]);
     m_state.isArmed = word == "armed";
-    m_state.isStopLatched = startsWith(word, "stopped");
+    m_state.isStopLatched = word.starts_with("stopped");
     m_state.fault = 0;
     m_state.faultText.clear();
     if (fault != nullptr && (*values)[1] > 0.0) {
@@ -147,7 +143,7 @@ Result<void> SafetySession::writeFormerWatchdog() {
 Result<void> SafetySession::zeroSetpoints() {
     std::vector<ParameterValue> zero;
     for (const ParameterSpec& spec : m_board->catalogue().parameters) {
-        if (spec.name == SetpointName || startsWith(spec.name, std::string(SetpointName) + ".")) {
+        if (spec.name == SetpointName || spec.name.starts_with(std::string(SetpointName) + ".")) {
             zero.push_back({spec.name, 0.0});
         }
     }
