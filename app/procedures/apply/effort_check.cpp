@@ -1,14 +1,34 @@
 #include "app/procedures/apply/effort_check.h"
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace halbench::app {
 namespace {
 
-constexpr double Unmodelled_ratio = 0.15;
+constexpr double Unmodelled_ratio = 0.25;
 constexpr double Sigmas = 2.0;
+constexpr double Most_ratio = 0.25; // half and twice the mass stay outside
+
+/// 1 sigma of the first unknown relative to it. Neighbouring rows are alike (Newey and West); no less than of
+/// independent rows.
+double deviation_ratio(const Eigen::MatrixXd& columns, const Eigen::VectorXd& solution,
+                       const Eigen::VectorXd& rest) {
+    const Eigen::Index rows = columns.rows();
+    const Eigen::Index reach = rows / 4;
+    const Eigen::MatrixXd others = columns.rightCols(columns.cols() - 1);
+    const Eigen::VectorXd own = columns.col(0) - others * others.colPivHouseholderQr().solve(columns.col(0));
+    const Eigen::VectorXd score = own.cwiseProduct(rest);
+    double sum = score.squaredNorm();
+    for (Eigen::Index lag = 1; lag < reach; ++lag) {
+        const double weight = 1.0 - static_cast<double>(lag) / static_cast<double>(reach);
+        sum += 2.0 * weight * score.head(rows - lag).dot(score.tail(rows - lag));
+    }
+    const double white = rest.squaredNorm() / static_cast<double>(rows - columns.cols()) * own.squaredNorm();
+    return std::sqrt(std::max(sum, white)) / (own.squaredNorm() * std::fabs(solution[0]));
+}
 
 /// x'' = a - c x' from rest, one row after the other.
 class Motion {
@@ -68,7 +88,10 @@ std::optional<EffortAgreement> effortAgreement(const Recording& move, const Effo
     const Eigen::MatrixXd scaled = regressors.array().rowwise() / scale.array();
     const Eigen::VectorXd solution = scaled.colPivHouseholderQr().solve(way);
     const double alpha = solution[0] / scale[0];
-    const double allowed_ratio = 1.0 + Unmodelled_ratio + Sigmas * gainDeviation_ratio;
+    const double ofFit_ratio = deviation_ratio(scaled, solution, way - scaled * solution);
+    // A fit that says nothing must not allow everything.
+    const double allowed_ratio =
+        1.0 + Unmodelled_ratio + std::min(Sigmas * std::hypot(gainDeviation_ratio, ofFit_ratio), Most_ratio);
     // A motion the other way took no effort of this kind: outside of every band.
     return EffortAgreement{alpha > 0.0 ? 1.0 / alpha : 0.0, 1.0 / allowed_ratio, allowed_ratio};
 }

@@ -30,8 +30,10 @@ struct EffortColumns {
 /// in integrated form: k, c: acceleration gain and damping rate of the model; p, s and the speed at the start
 /// are free, for what holds the axis at rest and for a spring (a cable). The double integral of the effort u
 /// keeps little of the noise of the readings, which the law passes on to it.
-/// `gainDeviation_ratio`: 1 sigma of k relative to it; two of them and 15 % for what a model leaves out (coil
-/// spread, harmonics) are allowed either way. Nothing where the recording is too short.
+/// `gainDeviation_ratio`: 1 sigma of k relative to it. Allowed either way are 25 % for what a model leaves
+/// out (coil spread, harmonics, the local scale of an uncalibrated pose, of which 11 % were seen) and two
+/// standard deviations of k and of this fit together, the latter no more than 25 %. Nothing where the
+/// recording is too short.
 std::optional<EffortAgreement> effortAgreement(const Recording& move, const EffortColumns& columns,
                                                const control::PositionPlant& plant,
                                                double gainDeviation_ratio, double until_s);

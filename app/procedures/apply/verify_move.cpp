@@ -3,6 +3,7 @@
 #include "app/procedures/apply/prediction_monitor.h"
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/procedure_steps.h"
+#include "app/procedures/move/move_preparation.h"
 #include "app/procedures/tune/position_law_parameters.h"
 
 #include <fmt/format.h>
@@ -48,6 +49,15 @@ void refuse(DataQuality& quality, const char* code, const Error& why) {
     quality.findings.insert(quality.findings.begin(), {code, why.message, why.hint});
 }
 
+/// Readings of an axis scatter: at rest by so much that a narrower band would refuse what is right. Up to its
+/// end tolerance, so that a loop that swings by itself is not excused.
+double seenNoise(const ApplyVerification& verification, const MoveFigures& seen) {
+    constexpr double Deviations = 4.0; // of some thousand readings one may be that far
+    return verification.axis && seen.restRms
+               ? std::min(Deviations * *seen.restRms, verification.axis->endTolerance)
+               : 0.0;
+}
+
 void judge(const ApplyVerification& verification, ApplyResult& result) {
     const MoveFigures& predicted = *result.predicted;
     const MoveFigures& measured = result.verification->measured;
@@ -63,8 +73,10 @@ void judge(const ApplyVerification& verification, ApplyResult& result) {
         }
     };
     if (predicted.overshoot_percent && measured.overshoot_percent) {
+        const double noise_percent =
+            100.0 * seenNoise(verification, measured) / std::fabs(verification.reference.amplitude);
         band.allowedOvershoot_percent =
-            *predicted.overshoot_percent + verification.overshootTolerance_percent;
+            *predicted.overshoot_percent + verification.overshootTolerance_percent + noise_percent;
         band.allowed_rad =
             std::max(std::fabs(predicted.finalError), band.friction_rad) + verification.errorTolerance_rad;
         expect("overshoot", *measured.overshoot_percent, *band.allowedOvershoot_percent, "%");
@@ -121,13 +133,27 @@ Result<MotorEstimate> withUncertainty(const MotorEstimate& motor) {
     return assumed;
 }
 
+/// What the model of an axis leaves out (coil spread, harmonics, the local scale of its pose) is one more
+/// uncertainty of its acceleration gain.
+MotorEstimate withUnmodelled(MotorEstimate motor) {
+    constexpr double Unmodelled_ratio = 0.05; // 1 sigma; planar positioners of one make scatter so
+    for (std::size_t i = 0; i < motor.covarianceNames.size(); ++i) {
+        if (motor.covarianceNames[i] == "phi_over_J") {
+            motor.covariance[i][i] += std::pow(Unmodelled_ratio * motor.values.at("phi_over_J"), 2);
+        }
+    }
+    return motor;
+}
+
 /// Where the motion of this law may lie; of a reference that has a prediction.
 Result<MotionEnvelope> bandOf(const ApplyVerification& verification, const control::SampledPositionLaw& law) {
     if (verification.band) {
         return *verification.band;
     }
     const auto motor = withUncertainty(verification.motor);
-    const auto motors = motor ? bandMotors(*motor, verification.draws) : failure(motor.error());
+    const auto motors =
+        motor ? bandMotors(verification.axis ? withUnmodelled(*motor) : *motor, verification.draws)
+              : failure(motor.error());
     if (!motors) {
         return failure(motors.error());
     }
@@ -283,21 +309,35 @@ Result<control::SampledPositionLaw> lawOnDevice(devices::Device& device,
     return law;
 }
 
-/// The readings of an axis scatter: at rest by so much that a narrower band would refuse what is right. Up to
-/// its end tolerance, so that a loop that swings by itself is not excused.
 std::optional<ApplyVerification> withSeenNoise(const ApplyVerification& verification,
                                                const MoveFigures& seen) {
-    constexpr double Deviations = 4.0;
-    if (!verification.axis || !seen.restRms) {
-        return std::nullopt;
-    }
-    const double noise = std::min(Deviations * *seen.restRms, verification.axis->endTolerance);
+    const double noise = seenNoise(verification, seen);
     if (noise <= verification.bandTolerance_rad) {
         return std::nullopt;
     }
     ApplyVerification wider = verification;
     wider.bandTolerance_rad = noise;
     return wider;
+}
+
+/// An axis with an end may stand at it, since a platen without current glides: its step leads back to the
+/// middle of its travel, where its zero is.
+Result<ApplyVerification> towardsMiddle(devices::Device& device, ApplyVerification verification,
+                                        const ProcedureObserver& observer) {
+    if (!verification.axis || verification.axis->turnsForever || verification.band) {
+        return verification;
+    }
+    if (auto known = awaitZero(device, observer); !known) {
+        return failure(known.error());
+    }
+    const std::string names[] = {signalOf(device.catalogue(), verification.axis->roles.position)};
+    const auto position = device.readSignals(names);
+    if (!position) {
+        return failure(position.error());
+    }
+    const double distance = std::fabs(verification.reference.amplitude);
+    verification.reference.amplitude = position->front() > 0.0 ? -distance : distance;
+    return verification;
 }
 
 } // namespace
@@ -310,11 +350,16 @@ MoveConfig moveOf(const ApplyVerification& verification) {
     return config;
 }
 
-Result<void> verifyMove(devices::Device& device, const ApplyVerification& verification,
+Result<void> verifyMove(devices::Device& device, const ApplyVerification& wanted,
                         const ProcedureObserver& observer, ApplyResult& result) {
     if (auto entered = enterState(observer, ProcedureState::Verify); !entered) {
         return entered;
     }
+    const auto placed = towardsMiddle(device, wanted, observer);
+    if (!placed) {
+        return failure(placed.error());
+    }
+    const ApplyVerification& verification = *placed;
     const auto plant = plantFromEstimate(verification.motor);
     if (!plant) {
         return failure(plant.error());

@@ -125,6 +125,8 @@ Result<bool> hasZero(devices::Device& device, const std::string& signal) {
     return values ? Result<bool>(values->front() > 0.5) : failure(values.error());
 }
 
+} // namespace
+
 // Positions count from a zero that a board may not know after power-on. Homing moves nothing: it only says
 // where the count begins, so it is done here.
 Result<void> awaitZero(devices::Device& device, const ProcedureObserver& observer) {
@@ -152,8 +154,6 @@ Result<void> awaitZero(devices::Device& device, const ProcedureObserver& observe
                     : failure(ErrorCode::Refused, "the device has no axis zero and cannot find it",
                               "Check its sensors, home the axes, then move again. Nothing was armed.");
 }
-
-} // namespace
 
 // Room for overshoot without friction (68 % of the step, resources/help/htm-theory.md 8.1) and then some.
 double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& config,

@@ -19,6 +19,9 @@ double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& co
 /// Errors: of the axis, its unit and the shape (move_procedure.h), OutOfRange, of the device.
 Result<MoveTask> moveTask(devices::Device& device, const MoveConfig& config);
 
+/// Homes a board that does not know its zero; nothing moves. Errors: Refused, of the device, of the abort.
+Result<void> awaitZero(devices::Device& device, const ProcedureObserver& observer);
+
 /// Waits for cool coils and a rotor at rest, or homes. Errors: Refused, of the device, of the abort.
 Result<void> prepareMove(devices::Device& device, const MoveConfig& config, const devices::AxisSpec& axis,
                          const ProcedureObserver& observer);

@@ -1,5 +1,6 @@
 #include "app/procedures/apply/apply_axes.h"
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/move/move_procedure.h"
 #include "app/procedures/tune/loop_axis.h"
 #include "app/procedures/tune/position_law_parameters.h"
 #include "tests/app/procedures/simulated_motor.h"
@@ -173,7 +174,7 @@ TEST(ApplyAxes, aPlatenOfHalfTheMassIsFoundOutByItsEffort) {
 
 TEST(ApplyAxes, effortOfAHealthyPlatenIsWithinATenthWithEveryImperfection) {
     // Coil gains of 0.98 to 1.02, the real centre of mass, cable, noise (section 3 there), the chips as a
-    // calibration leaves them: far inside of the 19 % that are allowed.
+    // calibration leaves them: far inside of what is allowed.
     const std::string calibrated = "&hall_gain_sigma=0&hall_offset_sigma_uT=0&hall_cross_sigma=0"
                                    "&hall_place_sigma_mm=0&hall_height_sigma_mm=0";
     for (int seed = 1; seed <= 8; ++seed) {
@@ -189,6 +190,26 @@ TEST(ApplyAxes, effortOfAHealthyPlatenIsWithinATenthWithEveryImperfection) {
         for (const auto& [axis, ratio] : efforts) {
             EXPECT_NEAR(ratio, 1.0, 0.1) << seed << " " << axis;
         }
+    }
+}
+
+// A platen without current glides, and its turn ends at 20 mrad (section 3): a step of 5 mrad against the
+// stop would refuse every healthy loop.
+TEST(ApplyAxes, aPlatenAtItsEndStopStepsBack) {
+    for (const double angle_rad : {0.0195, -0.0195}) {
+        const auto device = openPlaten("imperfections=off");
+        ASSERT_NE(device, nullptr);
+        MoveConfig there;
+        there.axis = "phi";
+        there.reference.shape = MoveReference::Shape::Step;
+        there.reference.amplitude = angle_rad;
+        ASSERT_TRUE(performMove(*device, there, {}));
+        const auto result = runApplyAxes(*device, recommended(*device, platen()), {});
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_TRUE(result->isKept) << angle_rad;
+        ASSERT_EQ(result->axes.size(), 3u);
+        const auto way = result->axes.back().assessment.verification->recording.column("reference.phi");
+        EXPECT_LT(std::fabs(way.back()), std::fabs(angle_rad) - 0.004); // 5 mrad back, 1 mrad of drift
     }
 }
 
