@@ -8655,20 +8655,12 @@
         <translation>Die Lage eines Feldsensors ist keine endliche Zahl.</translation>
     </message>
     <message>
-        <source>A field sensor lies inside the rotor.</source>
-        <translation>Ein Feldsensor liegt im Rotor.</translation>
-    </message>
-    <message>
         <source>Place it outside the rotor&apos;s outer radius.</source>
         <translation>Außerhalb des Außenradius des Rotors anordnen.</translation>
     </message>
     <message>
         <source>The three axes of a field sensor must be unit vectors that span the space.</source>
         <translation>Die drei Achsen eines Feldsensors müssen Einheitsvektoren sein, die den Raum aufspannen.</translation>
-    </message>
-    <message>
-        <source>Two field sensors lie at the same place.</source>
-        <translation>Zwei Feldsensoren liegen an derselben Stelle.</translation>
     </message>
     <message>
         <source>Each of the three sensors needs a place of its own.</source>
@@ -9313,6 +9305,14 @@
     <message>
         <source>all readings have the opposite sign of those that {}.alpha, .beta and .gamma tell: their sign, or that of q, is reversed</source>
         <translation>Alle Messwerte haben das entgegengesetzte Vorzeichen derer zu {}.alpha, .beta und .gamma: Ihr Vorzeichen oder das von q ist umgekehrt</translation>
+    </message>
+    <message>
+        <source>Sensor {} lies inside the rotor: {} mm from its centre, the rotor has {} mm.</source>
+        <translation>Sensor {} liegt im Rotor: {} mm von dessen Mitte, der Rotor hat {} mm.</translation>
+    </message>
+    <message>
+        <source>Sensors {} and {} lie at the same place.</source>
+        <translation>Die Sensoren {} und {} liegen am selben Ort.</translation>
     </message>
 </context>
 <context>

@@ -8655,20 +8655,12 @@
         <translation>磁场传感器的位姿不是有限数。</translation>
     </message>
     <message>
-        <source>A field sensor lies inside the rotor.</source>
-        <translation>一个磁场传感器位于转子内部。</translation>
-    </message>
-    <message>
         <source>Place it outside the rotor&apos;s outer radius.</source>
         <translation>请将其置于转子外半径之外。</translation>
     </message>
     <message>
         <source>The three axes of a field sensor must be unit vectors that span the space.</source>
         <translation>磁场传感器的三个轴必须是张成空间的单位向量。</translation>
-    </message>
-    <message>
-        <source>Two field sensors lie at the same place.</source>
-        <translation>两个磁场传感器位于同一位置。</translation>
     </message>
     <message>
         <source>Each of the three sensors needs a place of its own.</source>
@@ -9313,6 +9305,14 @@
     <message>
         <source>all readings have the opposite sign of those that {}.alpha, .beta and .gamma tell: their sign, or that of q, is reversed</source>
         <translation>所有读数与 {}.alpha、.beta、.gamma 所对应的符号相反：读数或 q 的符号反了</translation>
+    </message>
+    <message>
+        <source>Sensor {} lies inside the rotor: {} mm from its centre, the rotor has {} mm.</source>
+        <translation>传感器 {} 位于转子内：距其中心 {} mm，转子半径为 {} mm。</translation>
+    </message>
+    <message>
+        <source>Sensors {} and {} lie at the same place.</source>
+        <translation>传感器 {} 和 {} 位于同一位置。</translation>
     </message>
 </context>
 <context>

@@ -301,6 +301,18 @@ TEST(DifferencesAnalysisTest, ranksThePublishedPlace) {
     EXPECT_EQ(run("differences", {{"step_deg", "7"}}).error().code, ErrorCode::Usage);
 }
 
+// The rotor has a radius of 45.6 mm.
+TEST(PlacementChoiceTest, sensorsInsideTheRotorAreRefusedEverywhere) {
+    for (const char* name : {"coverage", "place", "readings", "estimators", "differences"}) {
+        for (const char* radius_mm : {"40", "45.6"}) {
+            const auto result = run(name, {{"radius_mm", radius_mm}});
+            ASSERT_FALSE(result) << name;
+            EXPECT_EQ(result.error().code, ErrorCode::OutOfRange);
+            EXPECT_THAT(result.error().message, testing::HasSubstr("inside the rotor of 45.6 mm")) << name;
+        }
+    }
+}
+
 TEST(OrientationAnalysisTest, aMissingChannelIsLeftOutAndSaid) {
     devices::RecordedFile file = recordedPoses(50, 0.0);
     for (std::size_t row = 0; row < 50; ++row) {
@@ -332,7 +344,8 @@ TEST(OrientationAnalysisTest, wrongInputIsRefusedWithItsName) {
     EXPECT_THAT(message({{"q_T", "-0.1"}}), testing::HasSubstr("not positive"));
     EXPECT_THAT(message({{"estimator", "guess"}}), testing::HasSubstr("--estimator: 'guess'"));
     EXPECT_THAT(message({{"readings", "a,b"}}), testing::HasSubstr("2 names, not 9"));
-    EXPECT_THAT(message({{"placement", "0,0,0,0,0,0,45,45,-90"}}), testing::HasSubstr("same place"));
+    EXPECT_THAT(message({{"placement", "0,0,0,0,0,0,45,45,-90"}}),
+                testing::HasSubstr("Sensors 0 and 1 lie at the same place"));
     EXPECT_THAT(message({{"radius_mm", "40"}}), testing::HasSubstr("rotor"));
     auto layout = std::make_shared<StreamLayout>(*file.recording.layout);
     layout->columns[2].unit = "A";
