@@ -348,6 +348,26 @@ AnalysisTable toTable(const Orientation& work) {
     return table;
 }
 
+template <typename Note>
+void noteSaturation(const Orientation& work, Note note) {
+    std::string names;
+    for (const std::size_t channel : work.readings.saturated) {
+        names += (names.empty() ? "" : ", ") + work.readings.names[channel];
+    }
+    const double saturation_mT = 1e3 * *work.readings.saturation_T;
+    if (work.readings.saturated.size() == 1) {
+        note(
+            Verdict::Doubtful, "perhaps_clipped",
+            fmt::format("{} rests at the largest reading, {:.4g} mT: it may be clipped and is left out there",
+                        names, saturation_mT),
+            "give the range of the sensors with --range-mT");
+    } else {
+        note(Verdict::Doubtful, "saturated",
+             fmt::format("{} are saturated at {:.4g} mT: they are left out there", names, saturation_mT),
+             "use sensors with a larger range or a larger radius, or give the range with --range-mT");
+    }
+}
+
 DataQuality qualityOf(const Orientation& work) {
     DataQuality quality;
     const auto note = [&](Verdict verdict, const char* code, std::string message, std::string hint) {
@@ -382,11 +402,8 @@ DataQuality qualityOf(const Orientation& work) {
                  "they are left out of the estimate");
         }
     }
-    if (work.readings.suspect) {
-        note(Verdict::Doubtful, "perhaps_clipped",
-             fmt::format("{} rests at the largest reading: it may be clipped",
-                         work.readings.names[*work.readings.suspect]),
-             "give the range of the sensors with --range-mT");
+    if (work.readings.saturation_T) {
+        noteSaturation(work, note);
     }
     const auto chi = ofPoses(work, [](const OrientedPose& pose) {
         return pose.hasUncertainty && pose.estimate.freedom > 0

@@ -19,9 +19,14 @@ constexpr double LargestField_T = 3.0;
 /// The last step of a converter lies below the positive end of its range: 0.05 % of it with 12 bit, 0.08 %
 /// with 98 uT steps up to 130 mT.
 constexpr double RangeEnd_ratio = 0.999;
-/// Rows at the largest magnitude from which on a channel counts as suspect, and their share.
-constexpr std::size_t SuspectRows = 10;
-constexpr double SuspectShare = 0.01;
+/// Rows with exactly its largest reading from which on a channel is saturated, their share of all rows, and
+/// how many times the readings just below. A sine that is rounded to 12 bit has 0.8 times as many at its top.
+constexpr std::size_t LeastPile = 10;
+constexpr double LeastPileShare = 0.01;
+constexpr std::size_t PileToNeighbours = 2;
+constexpr double Neighbours_ratio = 0.997;
+/// Channels at rest with one common magnitude: three of a rotor's field may be alike, four are saturated.
+constexpr std::size_t LeastAlike = 4;
 
 /// As sensingColumn(), with the recording named.
 Result<SensingColumn> columnOf(const Recording& recording, const std::string& name, const std::string& unit,
@@ -85,6 +90,63 @@ Result<void> readTruth(const AnalysisValues& values, const Recording& recording,
     return {};
 }
 
+struct Pile {
+    std::size_t rows = 0; ///< with the channel's own largest or smallest value, at the common end
+    std::size_t neighbours = 0;
+    bool isAll = false;
+};
+
+Pile pileOf(const OrientationReadings& result, std::size_t channel, double largest_T) {
+    const auto value = [&](const models::SphericalReadings& reading) {
+        return reading[static_cast<Eigen::Index>(channel)];
+    };
+    double lowest = 0.0;
+    double highest = 0.0;
+    for (const models::SphericalReadings& reading : result.readings_T) {
+        lowest = std::fmin(lowest, value(reading)); // numbers win over missing values
+        highest = std::fmax(highest, value(reading));
+    }
+    Pile pile;
+    for (const models::SphericalReadings& reading : result.readings_T) {
+        const double size = std::abs(value(reading));
+        const bool isExtreme = value(reading) == lowest || value(reading) == highest;
+        pile.rows += isExtreme && size >= largest_T * RangeEnd_ratio;
+        pile.neighbours += !isExtreme && size >= largest_T * Neighbours_ratio;
+    }
+    pile.isAll = pile.rows == result.readings_T.size();
+    return pile;
+}
+
+/// Leaves out readings that pile up at the common largest magnitude.
+void markSaturated(double largest_T, OrientationReadings& result) {
+    const auto rows = static_cast<double>(result.readings_T.size());
+    std::vector<std::size_t> saturated;
+    bool isAtRest = true;
+    for (std::size_t i = 0; i < models::ChannelCount; ++i) {
+        const Pile pile = pileOf(result, i, largest_T);
+        const bool isMany = pile.rows >= LeastPile && static_cast<double>(pile.rows) > LeastPileShare * rows;
+        if (pile.rows > 0 && (isMany || pile.isAll) && pile.rows > PileToNeighbours * pile.neighbours) {
+            saturated.push_back(i);
+            isAtRest = isAtRest && pile.isAll;
+        }
+    }
+    // A rotor at rest between noiseless sensors repeats its readings and is not saturated.
+    if (saturated.empty() || (isAtRest && saturated.size() < LeastAlike)) {
+        return;
+    }
+    result.saturation_T = largest_T;
+    for (const std::size_t i : saturated) {
+        for (std::size_t row = 0; row < result.readings_T.size(); ++row) {
+            const double size = std::abs(result.readings_T[row][static_cast<Eigen::Index>(i)]);
+            if (size >= largest_T * RangeEnd_ratio) {
+                result.used[row][i] = false;
+                ++result.clipped[i];
+            }
+        }
+    }
+    result.saturated = std::move(saturated);
+}
+
 /// Readings beyond any field, or channels at the end of the range.
 Result<void> markChannels(std::optional<double> range_T, const std::string& origin,
                           OrientationReadings& result) {
@@ -106,19 +168,8 @@ Result<void> markChannels(std::optional<double> range_T, const std::string& orig
                                    formatNumber(largest)),
                        "convert them with 'halbench import --unit COLUMN=mT'");
     }
-    for (std::size_t i = 0; !range_T && largest > 0.0 && i < models::ChannelCount; ++i) {
-        const auto rests = [&](const models::SphericalReadings& reading) {
-            return std::abs(reading[static_cast<Eigen::Index>(i)]) >= largest;
-        };
-        const auto rows = static_cast<std::size_t>(
-            std::count_if(result.readings_T.begin(), result.readings_T.end(), rests));
-        const bool isMany =
-            static_cast<double>(rows) > SuspectShare * static_cast<double>(result.used.size());
-        // A rotor at rest between noiseless sensors repeats its readings and is not clipped.
-        const bool isAll = rows == result.used.size();
-        if (rows >= SuspectRows && isMany && !isAll) {
-            result.suspect = i;
-        }
+    if (!range_T && largest > 0.0) {
+        markSaturated(largest, result);
     }
     return {};
 }
@@ -142,6 +193,11 @@ Result<OrientationReadings> orientationReadings(const AnalysisValues& values,
     const auto names = namesOf(values.text("readings"), defaultReadingNames(), "--readings");
     if (!names) {
         return failure(names.error());
+    }
+    if (recording.rows() == 0) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("{}: there are no rows of {}", origin, fmt::join(*names, ", ")),
+                       fmt::format("record again; the file has the columns {}", columnNames(recording)));
     }
     result.names = *names;
     result.time_s = recording.time_s;
