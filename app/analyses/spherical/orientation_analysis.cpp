@@ -120,12 +120,16 @@ Result<PoseSolver> tensorSolver(const AnalysisValues& values, const Orientation&
     if (!estimator) {
         return failure(estimator.error());
     }
-    return PoseSolver([estimator = *std::move(estimator), &work](std::size_t row) {
+    const double possible = config.chiSquareLimit * config.possibleLimit_ratio;
+    return PoseSolver([estimator = *std::move(estimator), possible, &work](std::size_t row) {
         OrientedPose pose;
         pose.estimate = estimator.estimate(work.confidence->corrected_T(work.readings.readings_T[row],
                                                                         work.readings.used[row],
                                                                         work.readings.coilCurrent_A[row]),
                                            work.readings.used[row]);
+        if (pose.isOriented() && pose.estimate.freedom > 0 && pose.estimate.chiSquare > possible) {
+            pose.estimate.verdict = OrientationVerdict::NotConverged;
+        }
         pose.hasUncertainty = pose.isOriented();
         if (pose.hasUncertainty) {
             pose.estimate.covariance_rad2 = work.confidence->covariance_rad2(pose.estimate);
@@ -378,8 +382,11 @@ DataQuality qualityOf(const Orientation& work) {
     const std::size_t determined = work.count(OrientationVerdict::Determined);
     const std::size_t reduced = work.count(OrientationVerdict::Reduced);
     if (determined + reduced == 0) {
+        const bool isUnexplained = work.count(OrientationVerdict::NotConverged) > 0;
         note(Verdict::Refused, "no_pose", fmt::format("none of {} rows determines an orientation", rows),
-             "give at least four channels that are neither missing nor clipped, in tesla");
+             isUnexplained ? "no pose explains the readings: check placement, frames, harmonics and units, "
+                             "calibrate, or give the true --noise-uT"
+                           : "give at least four channels that are neither missing nor clipped, in tesla");
     } else if (determined + reduced < rows) {
         note(Verdict::Doubtful, "poses_without_orientation",
              fmt::format("{} of {} rows have no orientation: {} ambiguous, {} without enough channels or "
@@ -388,6 +395,12 @@ DataQuality qualityOf(const Orientation& work) {
                          work.count(OrientationVerdict::NotDetermined),
                          work.count(OrientationVerdict::NotConverged)),
              "see 'problems'");
+    }
+    if (const std::size_t wrong = work.count(OrientationVerdict::NotConverged);
+        determined + reduced > 0 && 2 * wrong > rows) {
+        note(Verdict::Refused, "model_does_not_fit",
+             fmt::format("no pose explains {} of {} rows: the others fit by chance", wrong, rows),
+             "check placement, frames, harmonics and units, calibrate, or give the true --noise-uT");
     }
     if (reduced > 0) {
         note(Verdict::Doubtful, "reduced_integrity",

@@ -1,11 +1,10 @@
 #include "app/analyses/registry/analyses.h"
 #include "app/analyses/spherical/estimator_comparison.h"
 #include "app/analyses/spherical/orientation_readings.h"
-#include "control/base/random.h"
 #include "control/base/units.h"
 #include "models/spherical/orientation.h"
 #include "models/spherical/rotor_field.h"
-#include "models/spherical/spherical_plant.h"
+#include "tests/app/analyses/recorded_poses.h"
 
 #include <gmock/gmock.h>
 
@@ -15,93 +14,6 @@
 #include <fstream>
 
 namespace halbench::app {
-
-namespace {
-
-constexpr std::uint64_t Seed = 20;
-constexpr double Noise_T = 100e-6;
-
-/// Poses spread over the workspace, read by ideal sensors at the published places with the given noise.
-devices::RecordedFile recordedPoses(int rows, double noise_T) {
-    auto layout = std::make_shared<StreamLayout>();
-    for (int i = 0; i < 9; ++i) {
-        constexpr std::array Axes = {"r", "theta", "phi"};
-        layout->columns.push_back(
-            {"field." + std::to_string(i / 3) + "." + Axes[static_cast<std::size_t>(i % 3)], "T"});
-    }
-    for (const char* angle : {"truth.alpha", "truth.beta", "truth.gamma"}) {
-        layout->columns.push_back({angle, "rad"});
-    }
-    devices::RecordedFile file;
-    const models::RotorField field{models::RotorFieldConfig{}};
-    const models::SensorPoses poses =
-        models::sensorPoses(models::publishedPlacement(), models::SensorFrames::Zyx, 0.05);
-    Random random(Seed);
-    for (int row = 0; row < rows; ++row) {
-        const auto angle = [&](double limit_deg) {
-            return degreesToRadians(limit_deg * (2.0 * random.uniform() - 1.0));
-        };
-        const models::OrientationAngles angles{angle(44.0), angle(44.0), angle(89.0)};
-        const models::SphericalReadings readings = field.readings_T(models::rotationOf(angles), poses);
-        file.recording.time_s.push_back(0.001 * row);
-        for (int i = 0; i < 9; ++i) {
-            file.recording.values.push_back(readings[i] + noise_T * random.gaussian());
-        }
-        for (const double value : {angles.alpha_rad, angles.beta_rad, angles.gamma_rad}) {
-            file.recording.values.push_back(value);
-        }
-    }
-    file.recording.layout = layout;
-    return file;
-}
-
-Result<AnalysisOutcome> run(const char* name, const std::map<std::string, std::string>& texts,
-                            const std::map<std::string, bool>& flags = {},
-                            const devices::RecordedFile* file = nullptr,
-                            const AnalysisControl& control = {}) {
-    const Analysis* analysis = findAnalysis(name);
-    const Result<AnalysisValues> values = parseAnalysisValues(*analysis, texts, flags);
-    if (!values) {
-        return failure(values.error());
-    }
-    return analysis->run(*values, file, "motion.csv", control);
-}
-
-double number(const JsonValue& body, std::initializer_list<const char*> path) {
-    const JsonValue* node = &body;
-    for (const char* key : path) {
-        node = node->find(key);
-        if (node == nullptr) {
-            ADD_FAILURE() << "no " << key;
-            return NAN;
-        }
-    }
-    return node->number();
-}
-
-/// Readings of specimens as assembled, another one every ten poses.
-devices::RecordedFile recordedSpecimens() {
-    devices::RecordedFile file = recordedPoses(3000, Noise_T);
-    const models::RotorField field{models::RotorFieldConfig{}};
-    for (std::size_t row = 0; row < 3000; ++row) {
-        double* values = &file.recording.values[12 * row];
-        const models::SphericalSpecimen specimen = models::drawSphericalSpecimen({}, row / 10);
-        const models::SphericalReadings readings =
-            field.readings_T(models::rotationOf({values[9], values[10], values[11]}), specimen.poses);
-        const models::SphericalReadings ideal = field.readings_T(
-            models::rotationOf({values[9], values[10], values[11]}),
-            models::sensorPoses(models::publishedPlacement(), models::SensorFrames::Zyx, 0.05));
-        for (Eigen::Index i = 0; i < 9; ++i) {
-            const models::FieldSensorConfig& sensor = specimen.sensors[static_cast<std::size_t>(i / 3)];
-            const Eigen::Vector3d scaled = sensor.gain_ratio.cwiseProduct(readings.segment<3>(3 * (i / 3)));
-            values[i] += scaled[i % 3] + sensor.crossAxis_ratio.row(i % 3).dot(scaled) +
-                         sensor.offset_T[i % 3] - ideal[i];
-        }
-    }
-    return file;
-}
-
-} // namespace
 
 // spherical-theory.md section 7: 0.0286 degrees rms at 100 uT with a known strength. 3000 poses have a
 // standard error of the rms of about 1 %; the workspace without its outermost degree and the poses' own
@@ -244,96 +156,6 @@ TEST(OrientationAnalysisTest, clippedReadingsOfSensorsAsAssembledAreAmbiguousWhe
     EXPECT_LT(number(result->body, {"truth", "wrong_branches"}), 0.01 * given);
     EXPECT_GT(number(result->body, {"ambiguous"}), 0.0);
     EXPECT_EQ(number(result->body, {"not_converged"}), 0.0);
-}
-
-// Readings as a converter of that range gives them: the positive end is a step below.
-devices::RecordedFile clippedPoses(int rows, double range_T) {
-    devices::RecordedFile file = recordedPoses(rows, Noise_T);
-    const double step_T = range_T / 2048.0;
-    for (int row = 0; row < rows; ++row) {
-        for (std::size_t i = 0; i < 9; ++i) {
-            double& reading_T = file.recording.values[12 * static_cast<std::size_t>(row) + i];
-            reading_T =
-                std::fmin(range_T - step_T, std::fmax(-range_T, step_T * std::round(reading_T / step_T)));
-        }
-    }
-    return file;
-}
-
-// The ends of the range are found from the readings: the same poses are left out as with the range given.
-TEST(OrientationAnalysisTest, saturationIsFoundWithoutTheRange) {
-    for (const double range_T : {1e-3, 20e-3, 100e-3}) {
-        const devices::RecordedFile file = clippedPoses(500, range_T);
-        const auto found = run("orient", {}, {{"truth", true}}, &file);
-        const auto given =
-            run("orient", {{"range_mT", std::to_string(1e3 * range_T)}}, {{"truth", true}}, &file);
-        ASSERT_TRUE(found) << found.error().message;
-        ASSERT_TRUE(given);
-        for (const char* verdict :
-             {"determined", "reduced", "ambiguous", "not_determined", "not_converged"}) {
-            EXPECT_EQ(number(found->body, {verdict}), number(given->body, {verdict})) << range_T << verdict;
-        }
-        EXPECT_NE(found->quality.verdict, Verdict::Good);
-        const auto& findings = found->quality.findings;
-        EXPECT_TRUE(std::any_of(findings.begin(), findings.end(),
-                                [](const Finding& finding) { return finding.code == "saturated"; }));
-    }
-}
-
-// Eight channels or more at the ends in every row: no pose is left.
-TEST(OrientationAnalysisTest, withAllChannelsSaturatedNoPoseIsGiven) {
-    const devices::RecordedFile file = clippedPoses(100, 0.1e-3);
-    const auto moving = run("orient", {}, {{"truth", true}}, &file);
-    ASSERT_TRUE(moving) << moving.error().message;
-    EXPECT_EQ(moving->quality.verdict, Verdict::Refused);
-    EXPECT_EQ(number(moving->body, {"determined"}) + number(moving->body, {"reduced"}), 0.0);
-    devices::RecordedFile resting = file;
-    for (std::size_t i = 0; i < resting.recording.values.size(); ++i) {
-        resting.recording.values[i] = i % 12 < 9 ? (i % 2 == 0 ? 0.13 : -0.13) : 0.0;
-    }
-    const auto still = run("orient", {}, {}, &resting);
-    ASSERT_TRUE(still);
-    EXPECT_EQ(still->quality.verdict, Verdict::Refused);
-}
-
-TEST(OrientationAnalysisTest, healthyExtremesAreNotSaturated) {
-    // At rest at gamma = 22.5 degrees sensors 0 and 1 read the same R, the largest of all.
-    devices::RecordedFile resting = recordedPoses(50, 0.0);
-    const models::RotorField field{models::RotorFieldConfig{}};
-    const models::SensorPoses poses =
-        models::sensorPoses(models::publishedPlacement(), models::SensorFrames::Zyx, 0.05);
-    const models::SphericalReadings readings =
-        field.readings_T(models::rotationOf({0.0, 0.0, Pi / 8.0}), poses);
-    // A spin at zero tilt, rounded to 12 bit: both turn at the same largest value.
-    devices::RecordedFile spinning = recordedPoses(720, 0.0);
-    constexpr double Step_T = 0.3 / 2048.0;
-    for (std::size_t row = 0; row < 720; ++row) {
-        const models::SphericalReadings spun = field.readings_T(
-            models::rotationOf({0.0, 0.0, degreesToRadians(0.5 * static_cast<double>(row))}), poses);
-        for (std::size_t i = 0; i < 9; ++i) {
-            const auto channel = static_cast<Eigen::Index>(i);
-            spinning.recording.values[12 * row + i] = Step_T * std::round(spun[channel] / Step_T);
-            if (row < 50) {
-                resting.recording.values[12 * row + i] = readings[channel];
-            }
-        }
-    }
-    for (const devices::RecordedFile* file : {&resting, &spinning}) {
-        const auto values = parseAnalysisValues(*findAnalysis("orient"), {}, {});
-        const auto read = orientationReadings(*values, *file, "motion.csv");
-        ASSERT_TRUE(read);
-        EXPECT_FALSE(read->saturation_T);
-    }
-}
-
-TEST(OrientationAnalysisTest, withoutRowsItSaysWhatItLookedFor) {
-    const devices::RecordedFile file = recordedPoses(0, 0.0);
-    const auto result = run("orient", {}, {}, &file);
-    ASSERT_FALSE(result);
-    EXPECT_THAT(result.error().message, testing::HasSubstr("no rows of field.0.r, field.0.theta"));
-    EXPECT_THAT(result.error().hint, testing::HasSubstr("field.0.r [T]"));
-    const auto none = run("orient", {{"range_mT", "1"}}, {}, &file);
-    ASSERT_FALSE(none);
 }
 
 TEST(OrientationAnalysisTest, theFitTakesSensorsAsAssembled) {
