@@ -10923,7 +10923,18 @@ Firmware %2</translation>
     </message>
 </context>
 <context>
-    <name>halbench::app::DriveControl</name>
+    <name>halbench::app::ReferenceRun</name>
+    <message>
+        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
+        <translation>Sperren und freigeben, dann starten. Firmware ab 0.2.0 beginnt an der jetzigen Position.</translation>
+    </message>
+    <message>
+        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
+        <translation>Nicht gestartet: Mit dieser Firmware (%1) beginnt die Bewegung an der Freigabeposition; der Rotor würde springen.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SetpointMotion</name>
     <message>
         <source>Not sent: a step above %1 is too large, and this firmware has no ramp.</source>
         <translation>Nicht gesendet: Ein Sprung über %1 ist zu groß, und diese Firmware hat keine Rampe.</translation>
@@ -10939,14 +10950,6 @@ Firmware %2</translation>
     <message>
         <source>End the reference first. The device then moves there in a ramp.</source>
         <translation>Zuerst die Führungsgröße beenden. Das Gerät fährt dann als Rampe dorthin.</translation>
-    </message>
-    <message>
-        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
-        <translation>Sperren und freigeben, dann starten. Firmware ab 0.2.0 beginnt an der jetzigen Position.</translation>
-    </message>
-    <message>
-        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
-        <translation>Nicht gestartet: Mit dieser Firmware (%1) beginnt die Bewegung an der Freigabeposition; der Rotor würde springen.</translation>
     </message>
 </context>
 <context>

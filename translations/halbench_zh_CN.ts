@@ -10918,7 +10918,18 @@ Firmware %2</source>
     </message>
 </context>
 <context>
-    <name>halbench::app::DriveControl</name>
+    <name>halbench::app::ReferenceRun</name>
+    <message>
+        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
+        <translation>请先解除使能再使能，然后启动。0.2.0 及以后的固件从当前位置开始。</translation>
+    </message>
+    <message>
+        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
+        <translation>未启动：此固件 (%1) 会从使能位置开始运动，转子会突跳。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SetpointMotion</name>
     <message>
         <source>Not sent: a step above %1 is too large, and this firmware has no ramp.</source>
         <translation>未发送：超过 %1 的阶跃过大，且此固件没有斜坡功能。</translation>
@@ -10934,14 +10945,6 @@ Firmware %2</source>
     <message>
         <source>End the reference first. The device then moves there in a ramp.</source>
         <translation>请先结束参考信号。之后设备以斜坡移动到该处。</translation>
-    </message>
-    <message>
-        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
-        <translation>请先解除使能再使能，然后启动。0.2.0 及以后的固件从当前位置开始。</translation>
-    </message>
-    <message>
-        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
-        <translation>未启动：此固件 (%1) 会从使能位置开始运动，转子会突跳。</translation>
     </message>
 </context>
 <context>

@@ -6,8 +6,8 @@
 #include "app/workbench/drive_control.h"
 #include "app/workbench/piecewise_reading.h"
 #include "app/workbench/recording_trigger.h"
-#include "app/workbench/reference_mask.h"
 #include "app/workbench/shown_recording.h"
+#include "app/workbench/signals/reference_mask.h"
 #include "devices/history/page_file.h"
 
 #include <algorithm>
