@@ -3703,10 +3703,6 @@
         <translation>'{}' liest {} T: Die Einheit ist eine andere</translation>
     </message>
     <message>
-        <source>A calibration needs nine fields in tesla, field.0.r, field.0.theta ... field.2.phi; rename columns with halbench import --map.</source>
-        <translation>Eine Kalibrierung braucht neun Felder in Tesla, field.0.r, field.0.theta ... field.2.phi; benennen Sie Spalten mit halbench import --map um.</translation>
-    </message>
-    <message>
         <source>there is no signal &apos;{}&apos;</source>
         <translation>es gibt kein Signal '{}'</translation>
     </message>
@@ -8659,20 +8655,12 @@
         <translation>Die Lage eines Feldsensors ist keine endliche Zahl.</translation>
     </message>
     <message>
-        <source>A field sensor lies inside the rotor.</source>
-        <translation>Ein Feldsensor liegt im Rotor.</translation>
-    </message>
-    <message>
         <source>Place it outside the rotor&apos;s outer radius.</source>
         <translation>Außerhalb des Außenradius des Rotors anordnen.</translation>
     </message>
     <message>
         <source>The three axes of a field sensor must be unit vectors that span the space.</source>
         <translation>Die drei Achsen eines Feldsensors müssen Einheitsvektoren sein, die den Raum aufspannen.</translation>
-    </message>
-    <message>
-        <source>Two field sensors lie at the same place.</source>
-        <translation>Zwei Feldsensoren liegen an derselben Stelle.</translation>
     </message>
     <message>
         <source>Each of the three sensors needs a place of its own.</source>
@@ -9253,6 +9241,86 @@
     <message>
         <source>Give one of them.</source>
         <translation>Geben Sie nur einen davon an.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not in {}</source>
+        <translation>„{}“ ist nicht in {}</translation>
+    </message>
+    <message>
+        <source>give the unit of its numbers, e.g. {}: halbench import --unit COLUMN=UNIT --map {}=COLUMN</source>
+        <translation>Geben Sie die Einheit der Zahlen an, z. B. {}: halbench import --unit COLUMN=UNIT --map {}=COLUMN</translation>
+    </message>
+    <message>
+        <source>there are {}</source>
+        <translation>vorhanden sind {}</translation>
+    </message>
+    <message>
+        <source>sensor {} gave no reading in the whole record</source>
+        <translation>Sensor {} lieferte in der ganzen Aufzeichnung keinen Messwert</translation>
+    </message>
+    <message>
+        <source>Connect it, or check channels.off and its range: the calibration needs all three sensors.</source>
+        <translation>Schließen Sie ihn an, oder prüfen Sie channels.off und seinen Messbereich: Die Kalibrierung braucht alle drei Sensoren.</translation>
+    </message>
+    <message>
+        <source>{} gave no reading: its gain and offset keep their values</source>
+        <translation>{} lieferte keinen Messwert: Verstärkung und Offset behalten ihre Werte</translation>
+    </message>
+    <message>
+        <source>Leave it out with channels.off, or repair it and calibrate again.</source>
+        <translation>Lassen Sie ihn mit channels.off aus, oder reparieren Sie ihn und kalibrieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The common sign of all readings is not observable without a known orientation: reversed, they are those of a rotor that is spun by 90 degrees.</source>
+        <translation>Das gemeinsame Vorzeichen aller Messwerte ist ohne bekannte Orientierung nicht beobachtbar: Umgekehrt sind es die eines um 90 Grad gedrehten Rotors.</translation>
+    </message>
+    <message>
+        <source>Compare one orientation with the rotor, or record reference.alpha, .beta and .gamma.</source>
+        <translation>Vergleichen Sie eine Orientierung mit dem Rotor, oder zeichnen Sie reference.alpha, .beta und .gamma auf.</translation>
+    </message>
+    <message>
+        <source>: sensor {} is missing</source>
+        <translation>: Sensor {} fehlt</translation>
+    </message>
+    <message>
+        <source>A calibration needs nine fields, field.0.r, field.0.theta ... field.2.phi; record all sensors, or rename columns with halbench import --map. There are {}.</source>
+        <translation>Eine Kalibrierung braucht neun Felder, field.0.r, field.0.theta ... field.2.phi; zeichnen Sie alle Sensoren auf, oder benennen Sie Spalten mit halbench import --map um. Vorhanden sind {}.</translation>
+    </message>
+    <message>
+        <source>the known orientation at {} s is beyond one turn, {} rad: it is in degrees</source>
+        <translation>Die bekannte Orientierung bei {} s liegt jenseits einer Umdrehung, {} rad: Sie ist in Grad</translation>
+    </message>
+    <message>
+        <source>Give the unit of its columns: halbench import --unit COLUMN=deg.</source>
+        <translation>Geben Sie die Einheit der Spalten an: halbench import --unit COLUMN=deg.</translation>
+    </message>
+    <message>
+        <source>Check the wiring and the direction of the sensors, reverse the sign of these columns and calibrate again.</source>
+        <translation>Prüfen Sie Verdrahtung und Richtung der Sensoren, kehren Sie das Vorzeichen dieser Spalten um und kalibrieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>{} read with the opposite sign of the others</source>
+        <translation>{}: Vorzeichen entgegengesetzt zu den anderen</translation>
+    </message>
+    <message>
+        <source>the known orientations differ from those of the readings by {} degrees (median)</source>
+        <translation>Die bekannten Orientierungen weichen um {} Grad (Median) von denen der Messwerte ab</translation>
+    </message>
+    <message>
+        <source>Check their unit, the order of the rotations (Z, then Y, then X of the stator), their time base and the placement of the sensors.</source>
+        <translation>Prüfen Sie Einheit, Reihenfolge der Drehungen (Z, dann Y, dann X des Stators), Zeitbasis und die Anordnung der Sensoren.</translation>
+    </message>
+    <message>
+        <source>all readings have the opposite sign of those that {}.alpha, .beta and .gamma tell: their sign, or that of q, is reversed</source>
+        <translation>Alle Messwerte haben das entgegengesetzte Vorzeichen derer zu {}.alpha, .beta und .gamma: Ihr Vorzeichen oder das von q ist umgekehrt</translation>
+    </message>
+    <message>
+        <source>Sensor {} lies inside the rotor: {} mm from its centre, the rotor has {} mm.</source>
+        <translation>Sensor {} liegt im Rotor: {} mm von dessen Mitte, der Rotor hat {} mm.</translation>
+    </message>
+    <message>
+        <source>Sensors {} and {} lie at the same place.</source>
+        <translation>Die Sensoren {} und {} liegen am selben Ort.</translation>
     </message>
 </context>
 <context>
@@ -10863,7 +10931,18 @@ Firmware %2</translation>
     </message>
 </context>
 <context>
-    <name>halbench::app::DriveControl</name>
+    <name>halbench::app::ReferenceRun</name>
+    <message>
+        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
+        <translation>Sperren und freigeben, dann starten. Firmware ab 0.2.0 beginnt an der jetzigen Position.</translation>
+    </message>
+    <message>
+        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
+        <translation>Nicht gestartet: Mit dieser Firmware (%1) beginnt die Bewegung an der Freigabeposition; der Rotor würde springen.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SetpointMotion</name>
     <message>
         <source>Not sent: a step above %1 is too large, and this firmware has no ramp.</source>
         <translation>Nicht gesendet: Ein Sprung über %1 ist zu groß, und diese Firmware hat keine Rampe.</translation>
@@ -10879,14 +10958,6 @@ Firmware %2</translation>
     <message>
         <source>End the reference first. The device then moves there in a ramp.</source>
         <translation>Zuerst die Führungsgröße beenden. Das Gerät fährt dann als Rampe dorthin.</translation>
-    </message>
-    <message>
-        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
-        <translation>Sperren und freigeben, dann starten. Firmware ab 0.2.0 beginnt an der jetzigen Position.</translation>
-    </message>
-    <message>
-        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
-        <translation>Nicht gestartet: Mit dieser Firmware (%1) beginnt die Bewegung an der Freigabeposition; der Rotor würde springen.</translation>
     </message>
 </context>
 <context>

@@ -3703,10 +3703,6 @@
         <translation>'{}' 读数为 {} T：单位不对</translation>
     </message>
     <message>
-        <source>A calibration needs nine fields in tesla, field.0.r, field.0.theta ... field.2.phi; rename columns with halbench import --map.</source>
-        <translation>标定需要九个以特斯拉为单位的磁场 field.0.r、field.0.theta … field.2.phi；用 halbench import --map 重命名列。</translation>
-    </message>
-    <message>
         <source>there is no signal &apos;{}&apos;</source>
         <translation>没有信号 '{}'</translation>
     </message>
@@ -8659,20 +8655,12 @@
         <translation>磁场传感器的位姿不是有限数。</translation>
     </message>
     <message>
-        <source>A field sensor lies inside the rotor.</source>
-        <translation>一个磁场传感器位于转子内部。</translation>
-    </message>
-    <message>
         <source>Place it outside the rotor&apos;s outer radius.</source>
         <translation>请将其置于转子外半径之外。</translation>
     </message>
     <message>
         <source>The three axes of a field sensor must be unit vectors that span the space.</source>
         <translation>磁场传感器的三个轴必须是张成空间的单位向量。</translation>
-    </message>
-    <message>
-        <source>Two field sensors lie at the same place.</source>
-        <translation>两个磁场传感器位于同一位置。</translation>
     </message>
     <message>
         <source>Each of the three sensors needs a place of its own.</source>
@@ -9253,6 +9241,86 @@
     <message>
         <source>Give one of them.</source>
         <translation>只给出其中一个。</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not in {}</source>
+        <translation>“{}”的单位不是 {}</translation>
+    </message>
+    <message>
+        <source>give the unit of its numbers, e.g. {}: halbench import --unit COLUMN=UNIT --map {}=COLUMN</source>
+        <translation>请给出数值的单位，例如 {}：halbench import --unit COLUMN=UNIT --map {}=COLUMN</translation>
+    </message>
+    <message>
+        <source>there are {}</source>
+        <translation>现有 {}</translation>
+    </message>
+    <message>
+        <source>sensor {} gave no reading in the whole record</source>
+        <translation>传感器 {} 在整个记录中没有读数</translation>
+    </message>
+    <message>
+        <source>Connect it, or check channels.off and its range: the calibration needs all three sensors.</source>
+        <translation>请连接它，或检查 channels.off 及其量程：标定需要全部三个传感器。</translation>
+    </message>
+    <message>
+        <source>{} gave no reading: its gain and offset keep their values</source>
+        <translation>{} 没有读数：其增益和偏移保持原值</translation>
+    </message>
+    <message>
+        <source>Leave it out with channels.off, or repair it and calibrate again.</source>
+        <translation>用 channels.off 将其排除，或修复后重新标定。</translation>
+    </message>
+    <message>
+        <source>The common sign of all readings is not observable without a known orientation: reversed, they are those of a rotor that is spun by 90 degrees.</source>
+        <translation>没有已知姿态时，所有读数的共同符号不可观测：反号后等同于转子自旋 90 度。</translation>
+    </message>
+    <message>
+        <source>Compare one orientation with the rotor, or record reference.alpha, .beta and .gamma.</source>
+        <translation>请将一个姿态与转子比对，或记录 reference.alpha、.beta 和 .gamma。</translation>
+    </message>
+    <message>
+        <source>: sensor {} is missing</source>
+        <translation>：缺少传感器 {}</translation>
+    </message>
+    <message>
+        <source>A calibration needs nine fields, field.0.r, field.0.theta ... field.2.phi; record all sensors, or rename columns with halbench import --map. There are {}.</source>
+        <translation>标定需要九个场分量 field.0.r、field.0.theta ... field.2.phi；请记录所有传感器，或用 halbench import --map 重命名列。现有 {}。</translation>
+    </message>
+    <message>
+        <source>the known orientation at {} s is beyond one turn, {} rad: it is in degrees</source>
+        <translation>{} s 处的已知姿态超过一整圈，{} rad：其单位是度</translation>
+    </message>
+    <message>
+        <source>Give the unit of its columns: halbench import --unit COLUMN=deg.</source>
+        <translation>请给出这些列的单位：halbench import --unit COLUMN=deg。</translation>
+    </message>
+    <message>
+        <source>Check the wiring and the direction of the sensors, reverse the sign of these columns and calibrate again.</source>
+        <translation>检查传感器的接线和方向，将这些列反号后重新标定。</translation>
+    </message>
+    <message>
+        <source>{} read with the opposite sign of the others</source>
+        <translation>{} 的符号与其他读数相反</translation>
+    </message>
+    <message>
+        <source>the known orientations differ from those of the readings by {} degrees (median)</source>
+        <translation>已知姿态与读数得出的姿态相差 {} 度（中位数）</translation>
+    </message>
+    <message>
+        <source>Check their unit, the order of the rotations (Z, then Y, then X of the stator), their time base and the placement of the sensors.</source>
+        <translation>检查其单位、旋转顺序（定子的 Z、Y、X）、时间基准以及传感器的位置。</translation>
+    </message>
+    <message>
+        <source>all readings have the opposite sign of those that {}.alpha, .beta and .gamma tell: their sign, or that of q, is reversed</source>
+        <translation>所有读数与 {}.alpha、.beta、.gamma 所对应的符号相反：读数或 q 的符号反了</translation>
+    </message>
+    <message>
+        <source>Sensor {} lies inside the rotor: {} mm from its centre, the rotor has {} mm.</source>
+        <translation>传感器 {} 位于转子内：距其中心 {} mm，转子半径为 {} mm。</translation>
+    </message>
+    <message>
+        <source>Sensors {} and {} lie at the same place.</source>
+        <translation>传感器 {} 和 {} 位于同一位置。</translation>
     </message>
 </context>
 <context>
@@ -10858,7 +10926,18 @@ Firmware %2</source>
     </message>
 </context>
 <context>
-    <name>halbench::app::DriveControl</name>
+    <name>halbench::app::ReferenceRun</name>
+    <message>
+        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
+        <translation>请先解除使能再使能，然后启动。0.2.0 及以后的固件从当前位置开始。</translation>
+    </message>
+    <message>
+        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
+        <translation>未启动：此固件 (%1) 会从使能位置开始运动，转子会突跳。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SetpointMotion</name>
     <message>
         <source>Not sent: a step above %1 is too large, and this firmware has no ramp.</source>
         <translation>未发送：超过 %1 的阶跃过大，且此固件没有斜坡功能。</translation>
@@ -10874,14 +10953,6 @@ Firmware %2</source>
     <message>
         <source>End the reference first. The device then moves there in a ramp.</source>
         <translation>请先结束参考信号。之后设备以斜坡移动到该处。</translation>
-    </message>
-    <message>
-        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
-        <translation>请先解除使能再使能，然后启动。0.2.0 及以后的固件从当前位置开始。</translation>
-    </message>
-    <message>
-        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
-        <translation>未启动：此固件 (%1) 会从使能位置开始运动，转子会突跳。</translation>
     </message>
 </context>
 <context>
