@@ -300,6 +300,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "True force of the coils along x, known to the simulation only"),
     QT_TRANSLATE_NOOP("Phrases", "True force of the coils along y, known to the simulation only"),
     QT_TRANSLATE_NOOP("Phrases", "True torque of the coils, known to the simulation only"),
+    QT_TRANSLATE_NOOP("Phrases", "{} and {} are the same value"),
+    QT_TRANSLATE_NOOP("Phrases", "Give one of them."),
     QT_TRANSLATE_NOOP("Phrases", "Planar six-coil positioner"),
     QT_TRANSLATE_NOOP("Phrases", "there is no simulator 'sim:{}'"),
     QT_TRANSLATE_NOOP("Phrases", "Built simulators: {}."),
