@@ -9322,6 +9322,66 @@
         <source>Sensors {} and {} lie at the same place.</source>
         <translation>Die Sensoren {} und {} liegen am selben Ort.</translation>
     </message>
+    <message>
+        <source>{}: {}: needs axis, position_unit and effort_unit</source>
+        <translation>{}: {}: braucht axis, position_unit und effort_unit</translation>
+    </message>
+    <message>
+        <source>{}: {}: gains: needs kp, ki, kd and filter_s</source>
+        <translation>{}: {}: gains: braucht kp, ki, kd und filter_s</translation>
+    </message>
+    <message>
+        <source>{}: sample_period_s, delay_samples: must be numbers, the first above zero</source>
+        <translation>{}: sample_period_s, delay_samples: müssen Zahlen sein, die erste über null</translation>
+    </message>
+    <message>
+        <source>{}: axes: the list is empty</source>
+        <translation>{}: axes: Die Liste ist leer</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs a frequency above the previous one and below half the rate</source>
+        <translation>{}: points[{}]: braucht eine Frequenz über der vorigen und unter der halben Rate</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs loops, used and coherence of each axis</source>
+        <translation>{}: points[{}]: braucht loops, used und coherence jeder Achse</translation>
+    </message>
+    <message>
+        <source>measure the response of a device with several axes</source>
+        <translation>messen Sie den Frequenzgang eines Geräts mit mehreren Achsen</translation>
+    </message>
+    <message>
+        <source>axis {}: the response is in {}/({}), the model in {}/({})</source>
+        <translation>Achse {}: Der Frequenzgang ist in {}/({}), das Modell in {}/({})</translation>
+    </message>
+    <message>
+        <source>measure the response on this kind of device</source>
+        <translation>messen Sie den Frequenzgang an einem Gerät dieser Art</translation>
+    </message>
+    <message>
+        <source>the response is of axes {}, the model has {}</source>
+        <translation>der Frequenzgang ist von den Achsen {}, das Modell hat {}</translation>
+    </message>
+    <message>
+        <source>open the response of an axis of the model</source>
+        <translation>öffnen Sie den Frequenzgang einer Achse des Modells</translation>
+    </message>
+    <message>
+        <source>no axes were identified</source>
+        <translation>keine Achsen wurden identifiziert</translation>
+    </message>
+    <message>
+        <source>identify the axes first</source>
+        <translation>identifizieren Sie zuerst die Achsen</translation>
+    </message>
+    <message>
+        <source>the response is of a device &apos;{}&apos;, the model is of a &apos;{}&apos;</source>
+        <translation>der Frequenzgang ist von einem Gerät „{}“, das Modell von „{}“</translation>
+    </message>
+    <message>
+        <source>open a response of this kind of device</source>
+        <translation>öffnen Sie einen Frequenzgang dieser Art von Gerät</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -20325,6 +20385,25 @@ Hall B
     <message>
         <source>Time constant of the derivative&apos;s filter</source>
         <translation>Zeitkonstante des Filters am D-Anteil</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisResponseButton</name>
+    <message>
+        <source>Measured response…</source>
+        <translation>Messung …</translation>
+    </message>
+    <message>
+        <source>Show a measured frequency response in the open loops</source>
+        <translation>Einen gemessenen Frequenzgang in den offenen Kreisen zeigen</translation>
+    </message>
+    <message>
+        <source>Open a measured response</source>
+        <translation>Gemessenen Frequenzgang öffnen</translation>
+    </message>
+    <message>
+        <source>Response (*.json)</source>
+        <translation>Frequenzgang (*.json)</translation>
     </message>
 </context>
 <context>

@@ -9322,6 +9322,66 @@
         <source>Sensors {} and {} lie at the same place.</source>
         <translation>传感器 {} 和 {} 位于同一位置。</translation>
     </message>
+    <message>
+        <source>{}: {}: needs axis, position_unit and effort_unit</source>
+        <translation>{}：{}：需要 axis、position_unit 和 effort_unit</translation>
+    </message>
+    <message>
+        <source>{}: {}: gains: needs kp, ki, kd and filter_s</source>
+        <translation>{}：{}：gains：需要 kp、ki、kd 和 filter_s</translation>
+    </message>
+    <message>
+        <source>{}: sample_period_s, delay_samples: must be numbers, the first above zero</source>
+        <translation>{}：sample_period_s、delay_samples：必须是数值，且前者大于零</translation>
+    </message>
+    <message>
+        <source>{}: axes: the list is empty</source>
+        <translation>{}：axes：列表为空</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs a frequency above the previous one and below half the rate</source>
+        <translation>{}：points[{}]：频率须大于前一点并小于速率的一半</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs loops, used and coherence of each axis</source>
+        <translation>{}：points[{}]：需要每个轴的 loops、used 和 coherence</translation>
+    </message>
+    <message>
+        <source>measure the response of a device with several axes</source>
+        <translation>请测量多轴设备的频率响应</translation>
+    </message>
+    <message>
+        <source>axis {}: the response is in {}/({}), the model in {}/({})</source>
+        <translation>轴 {}：响应的单位为 {}/({})，模型的单位为 {}/({})</translation>
+    </message>
+    <message>
+        <source>measure the response on this kind of device</source>
+        <translation>请在此类设备上测量响应</translation>
+    </message>
+    <message>
+        <source>the response is of axes {}, the model has {}</source>
+        <translation>响应对应的轴为 {}，模型的轴为 {}</translation>
+    </message>
+    <message>
+        <source>open the response of an axis of the model</source>
+        <translation>请打开模型所含轴的响应</translation>
+    </message>
+    <message>
+        <source>no axes were identified</source>
+        <translation>尚未辨识任何轴</translation>
+    </message>
+    <message>
+        <source>identify the axes first</source>
+        <translation>请先辨识各轴</translation>
+    </message>
+    <message>
+        <source>the response is of a device &apos;{}&apos;, the model is of a &apos;{}&apos;</source>
+        <translation>响应来自设备“{}”，模型来自“{}”</translation>
+    </message>
+    <message>
+        <source>open a response of this kind of device</source>
+        <translation>请打开此类设备的响应</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -20310,6 +20370,25 @@ Hall B
     <message>
         <source>Time constant of the derivative&apos;s filter</source>
         <translation>微分滤波器的时间常数</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisResponseButton</name>
+    <message>
+        <source>Measured response…</source>
+        <translation>测得的响应…</translation>
+    </message>
+    <message>
+        <source>Show a measured frequency response in the open loops</source>
+        <translation>在开环图中显示测得的频率响应</translation>
+    </message>
+    <message>
+        <source>Open a measured response</source>
+        <translation>打开测得的响应</translation>
+    </message>
+    <message>
+        <source>Response (*.json)</source>
+        <translation>频率响应 (*.json)</translation>
     </message>
 </context>
 <context>
