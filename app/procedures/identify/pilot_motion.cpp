@@ -50,9 +50,9 @@ Result<void> PilotMotion::drive(const PlateauRun& run) {
         }
     }
     m_start_rad_s = m_last_rad_s;
-    auto done = runPlateaus(m_device, m_observer, run, m_heat, m_watch);
+    const auto done = runPlateaus(m_device, m_observer, run, m_heat, m_watch);
     m_fastest_rad_s = std::max(m_fastest_rad_s, m_watch.highest_rad_s());
-    return done;
+    return done ? Result<void>() : failure(done.error());
 }
 
 // Mean acceleration of the first pulse that shows it well, or of the longest; 0 at rest.
