@@ -50,15 +50,17 @@ double admissibleStart_degC(const devices::Device& device, const PlateauRun& run
 /// told.
 class SpeedGuard {
 public:
-    SpeedGuard(const SpeedWatch& watch, double mayReach_rad_s)
-        : m_watch(watch), m_mayReach_rad_s(mayReach_rad_s) {}
+    SpeedGuard(const SpeedWatch& watch, const PlateauRun& run) : m_watch(watch), m_run(run) {}
 
-    /// Time until it has to be looked at again.
-    double nextLook_s() const {
-        constexpr double Longest_s = 0.1;
-        const double room_rad_s = m_mayReach_rad_s - m_watch.highest_rad_s();
+    /// Time until it has to be looked at again, at `elapsed_s` of the run: ten times a second, more often
+    /// where it could reach the limit meanwhile.
+    double nextLook_s(double elapsed_s) const {
+        constexpr double Grid_s = 0.1;
+        constexpr double Shortest_s = 0.02;
+        const double grid_s = (std::floor(elapsed_s / Grid_s + 1e-6) + 1.0) * Grid_s - elapsed_s;
+        const double room_rad_s = limit_rad_s() - m_watch.highest_rad_s();
         const double half_s = m_steepest_rad_s2 > 0.0 ? 0.5 * room_rad_s / m_steepest_rad_s2 : Shortest_s;
-        return std::clamp(half_s, Shortest_s, Longest_s);
+        return std::min(grid_s, std::max(half_s, Shortest_s));
     }
 
     /// Whether it must end, `piece_s` after the last look.
@@ -67,14 +69,15 @@ public:
         const double gained_rad_s2 = (m_watch.highest_rad_s() - m_seen_rad_s) / piece_s;
         m_seen_rad_s = m_watch.highest_rad_s();
         m_steepest_rad_s2 = std::max(m_steepest_rad_s2, gained_rad_s2);
-        return m_seen_rad_s + Reaction_s * gained_rad_s2 > m_mayReach_rad_s;
+        return m_seen_rad_s > m_run.mayReach_rad_s ||
+               m_seen_rad_s + Reaction_s * gained_rad_s2 > limit_rad_s();
     }
 
 private:
-    static constexpr double Shortest_s = 0.02;
+    double limit_rad_s() const { return m_run.neverAbove_rad_s.value_or(m_run.mayReach_rad_s); }
 
     const SpeedWatch& m_watch;
-    double m_mayReach_rad_s;
+    const PlateauRun& m_run;
     double m_seen_rad_s = 0.0;
     double m_steepest_rad_s2 = 0.0;
 };
@@ -82,10 +85,12 @@ private:
 // Waits until the generator is through; ends it early before the rotor gets too fast.
 Result<RunEnd> waitForEnd(devices::Device& device, const ProcedureObserver& observer, const PlateauRun& run,
                           const SpeedWatch& watch) {
-    const double end_s = device.clock().now_s() + run.duration_s();
-    SpeedGuard guard(watch, run.mayReach_rad_s);
+    const double start_s = device.clock().now_s();
+    const double end_s = start_s + run.duration_s();
+    SpeedGuard guard(watch, run);
     while (device.clock().now_s() < end_s) {
-        const double piece_s = std::min(guard.nextLook_s(), end_s - device.clock().now_s() + 1e-3);
+        const double now_s = device.clock().now_s();
+        const double piece_s = std::min(guard.nextLook_s(now_s - start_s), end_s - now_s + 1e-3);
         const double done = 1.0 - (end_s - device.clock().now_s()) / run.duration_s();
         if (auto waited = waitObserved(device, observer, piece_s, done, done, run.text); !waited) {
             return failure(waited.error());

@@ -3,6 +3,7 @@
 #include "app/procedures/base/procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,10 @@ namespace halbench::app {
 struct PlateauRun {
     std::vector<double> currents_A; ///< at most 32
     double dwell_s = 0.0;
-    double mayReach_rad_s = 0.0; ///< the run ends early, without current, before it turns faster
+    double mayReach_rad_s = 0.0; ///< the run ends early, without current, when it turns faster
     std::string text;            ///< for the progress line
+    /// It ends before it turns faster than this, as far as that can be foreseen; absent: mayReach_rad_s.
+    std::optional<double> neverAbove_rad_s = {};
 
     double duration_s() const { return dwell_s * static_cast<double>(currents_A.size()); }
     /// Mean square of the current in one phase of a turning rotor: half that of the amplitude.

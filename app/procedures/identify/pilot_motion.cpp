@@ -39,8 +39,10 @@ void PilotMotion::take(const SampleBlock& block) {
 }
 
 // From near rest: a rotor with little friction is given time to slow down.
-Result<void> PilotMotion::drive(const PlateauRun& run) {
+Result<void> PilotMotion::drive(PlateauRun run) {
     constexpr double SlowShare = 0.05; // of the speed limit
+    constexpr double GuardShare = 0.9;
+    run.neverAbove_rad_s = GuardShare * m_config.speedLimit_rad_s;
     constexpr double Longest_s = 4.0;
     constexpr double Piece_s = 0.1;
     for (double waited_s = 0.0; m_last_rad_s > SlowShare * m_config.speedLimit_rad_s && waited_s < Longest_s;

@@ -26,7 +26,7 @@ public:
     std::optional<PilotEstimate> estimate() const;
 
 private:
-    Result<void> drive(const PlateauRun& run);
+    Result<void> drive(PlateauRun run);
     Result<double> pulsedAcceleration_rad_s2(double current_A);
     Result<PilotEstimate> pulsedMotor(double current_A, double acceleration_rad_s2);
     Result<std::optional<PilotEstimate>> findCalm(const std::vector<double>& currents_A);
