@@ -9310,6 +9310,10 @@
         <source>remove these rows (the first is line {} of a CSV file) or enter their values</source>
         <translation>diese Zeilen entfernen (die erste ist Zeile {} einer CSV-Datei) oder ihre Werte eintragen</translation>
     </message>
+    <message>
+        <source>the gains are for a sampling period of {} s, this device has {} s</source>
+        <translation>die Verstärkungen sind für eine Abtastperiode von {} s, dieses Gerät hat {} s</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

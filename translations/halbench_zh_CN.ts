@@ -9310,6 +9310,10 @@
         <source>remove these rows (the first is line {} of a CSV file) or enter their values</source>
         <translation>请删除这些行(第一行是 CSV 文件的第 {} 行)或填入其值</translation>
     </message>
+    <message>
+        <source>the gains are for a sampling period of {} s, this device has {} s</source>
+        <translation>这些增益用于 {} s 的采样周期,此设备为 {} s</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

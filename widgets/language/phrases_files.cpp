@@ -182,6 +182,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "the gains were found for '{}' with other overrides than this device has"),
     QT_TRANSLATE_NOOP("Phrases", "gains for {} s and {} samples of delay, this device has {} s and {}: assessed for this device"),
     QT_TRANSLATE_NOOP("Phrases", "design them for the timing of this device"),
+    QT_TRANSLATE_NOOP("Phrases", "the gains are for a sampling period of {} s, this device has {} s"),
     QT_TRANSLATE_NOOP("Phrases", "{}; nothing was written"),
     QT_TRANSLATE_NOOP("Phrases", "these gains are rejected; nothing was written"),
     QT_TRANSLATE_NOOP("Phrases", "check their findings"),
