@@ -52,25 +52,23 @@ class SpeedGuard {
 public:
     SpeedGuard(const SpeedWatch& watch, const PlateauRun& run) : m_watch(watch), m_run(run) {}
 
-    /// Time until it has to be looked at again, at `elapsed_s` of the run: ten times a second, more often
-    /// where it could reach the limit meanwhile.
-    double nextLook_s(double elapsed_s) const {
-        constexpr double Grid_s = 0.1;
+    /// Time until it has to be looked at again: ten times a second, more often where it gains speed so fast
+    /// that it could reach the limit meanwhile.
+    double nextLook_s() const {
+        constexpr double Longest_s = 0.1;
         constexpr double Shortest_s = 0.02;
-        const double grid_s = (std::floor(elapsed_s / Grid_s + 1e-6) + 1.0) * Grid_s - elapsed_s;
-        const double room_rad_s = limit_rad_s() - m_watch.highest_rad_s();
-        const double half_s = m_steepest_rad_s2 > 0.0 ? 0.5 * room_rad_s / m_steepest_rad_s2 : Shortest_s;
-        return std::min(grid_s, std::max(half_s, Shortest_s));
+        const double room_rad_s = limit_rad_s() - m_seen_rad_s;
+        const double half_s = m_gained_rad_s2 > 0.0 ? 0.5 * room_rad_s / m_gained_rad_s2 : Longest_s;
+        return std::clamp(half_s, Shortest_s, Longest_s);
     }
 
     /// Whether it must end, `piece_s` after the last look.
     bool isDue(double piece_s) {
         constexpr double Reaction_s = 0.03; // a row of the stream, the link there and back
-        const double gained_rad_s2 = (m_watch.highest_rad_s() - m_seen_rad_s) / piece_s;
+        m_gained_rad_s2 = (m_watch.highest_rad_s() - m_seen_rad_s) / piece_s;
         m_seen_rad_s = m_watch.highest_rad_s();
-        m_steepest_rad_s2 = std::max(m_steepest_rad_s2, gained_rad_s2);
         return m_seen_rad_s > m_run.mayReach_rad_s ||
-               m_seen_rad_s + Reaction_s * gained_rad_s2 > limit_rad_s();
+               m_seen_rad_s + Reaction_s * m_gained_rad_s2 > limit_rad_s();
     }
 
 private:
@@ -79,18 +77,16 @@ private:
     const SpeedWatch& m_watch;
     const PlateauRun& m_run;
     double m_seen_rad_s = 0.0;
-    double m_steepest_rad_s2 = 0.0;
+    double m_gained_rad_s2 = 0.0; ///< since the last look
 };
 
 // Waits until the generator is through; ends it early before the rotor gets too fast.
 Result<RunEnd> waitForEnd(devices::Device& device, const ProcedureObserver& observer, const PlateauRun& run,
                           const SpeedWatch& watch) {
-    const double start_s = device.clock().now_s();
-    const double end_s = start_s + run.duration_s();
+    const double end_s = device.clock().now_s() + run.duration_s();
     SpeedGuard guard(watch, run);
     while (device.clock().now_s() < end_s) {
-        const double now_s = device.clock().now_s();
-        const double piece_s = std::min(guard.nextLook_s(now_s - start_s), end_s - now_s + 1e-3);
+        const double piece_s = std::min(guard.nextLook_s(), end_s - device.clock().now_s() + 1e-3);
         const double done = 1.0 - (end_s - device.clock().now_s()) / run.duration_s();
         if (auto waited = waitObserved(device, observer, piece_s, done, done, run.text); !waited) {
             return failure(waited.error());
