@@ -1399,10 +1399,6 @@
         <translation>Abtastrate in Zeilen je Sekunde angeben</translation>
     </message>
     <message>
-        <source>write numbers like -1{}5e-3, or set --decimal</source>
-        <translation>Zahlen wie -1{}5e-3 schreiben, oder --decimal setzen</translation>
-    </message>
-    <message>
         <source>numbers range from about 1e-308 to 1e308</source>
         <translation>Zahlen reichen von etwa 1e-308 bis 1e308</translation>
     </message>
@@ -8251,10 +8247,6 @@
         <translation>{} Zellen, wo die Tabelle {} Spalten hat</translation>
     </message>
     <message>
-        <source>the time is missing</source>
-        <translation>die Zeit fehlt</translation>
-    </message>
-    <message>
         <source>remove the row, or give --rate_Hz instead</source>
         <translation>entfernen Sie die Zeile, oder geben Sie stattdessen --rate_Hz an</translation>
     </message>
@@ -8333,10 +8325,6 @@
     <message>
         <source>the recording has no {}</source>
         <translation>die Aufzeichnung hat kein {}</translation>
-    </message>
-    <message>
-        <source>record the move again</source>
-        <translation>die Bewegung erneut aufzeichnen</translation>
     </message>
     <message>
         <source>name mask, character {}: {}</source>
@@ -8553,10 +8541,6 @@
     <message>
         <source>a recorded move has rows of 1 ms and cannot be replayed through a loop of {} ms</source>
         <translation>eine aufgenommene Bewegung hat Zeilen von 1 ms und lässt sich nicht durch einen Regelkreis von {} ms wiedergeben</translation>
-    </message>
-    <message>
-        <source>must be a positive time in seconds</source>
-        <translation>muss eine positive Zeit in Sekunden sein</translation>
     </message>
     <message>
         <source>the motor was measured at {} s with {} samples of delay, this device has {} s and {}</source>
@@ -9381,6 +9365,90 @@
     <message>
         <source>open a response of this kind of device</source>
         <translation>öffnen Sie einen Frequenzgang dieser Art von Gerät</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number ({})</source>
+        <translation>&apos;{}&apos; ist keine Zahl ({})</translation>
+    </message>
+    <message>
+        <source>write a number, or leave the cell empty where a value is missing; remove a column of words; or set the format with --separator, --decimal and --header</source>
+        <translation>eine Zahl schreiben, oder die Zelle leer lassen, wo ein Wert fehlt; eine Spalte mit Wörtern entfernen; oder das Format mit --separator, --decimal und --header setzen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number (column {}, &apos;{}&apos;)</source>
+        <translation>&apos;{}&apos; ist keine Zahl (Spalte {}, &apos;{}&apos;)</translation>
+    </message>
+    <message>
+        <source>write numbers like -1{}5e-3, leave the cell empty where a value is missing, or set --decimal</source>
+        <translation>Zahlen wie -1{}5e-3 schreiben, die Zelle leer lassen, wo ein Wert fehlt, oder --decimal setzen</translation>
+    </message>
+    <message>
+        <source>the time is missing (column {}, &apos;{}&apos;)</source>
+        <translation>die Zeit fehlt (Spalte {}, &apos;{}&apos;)</translation>
+    </message>
+    <message>
+        <source>line {}, column {}, &apos;{}&apos;</source>
+        <translation>Zeile {}, Spalte {}, &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>is {}, must be a whole number not below {}</source>
+        <translation>ist {}, muss eine ganze Zahl nicht unter {} sein</translation>
+    </message>
+    <message>
+        <source>is {}, must be a whole number from {} to {}</source>
+        <translation>ist {}, muss eine ganze Zahl von {} bis {} sein</translation>
+    </message>
+    <message>
+        <source>is {}, must be from {} to {}</source>
+        <translation>ist {}, muss zwischen {} und {} liegen</translation>
+    </message>
+    <message>
+        <source>is {}, must be above {}</source>
+        <translation>ist {}, muss über {} liegen</translation>
+    </message>
+    <message>
+        <source>is {}, must not be below {}</source>
+        <translation>ist {}, darf nicht unter {} liegen</translation>
+    </message>
+    <message>
+        <source>correct the value or write the file again</source>
+        <translation>den Wert berichtigen oder die Datei neu schreiben</translation>
+    </message>
+    <message>
+        <source>is {}, no variance is negative</source>
+        <translation>ist {}, keine Varianz ist negativ</translation>
+    </message>
+    <message>
+        <source>is {} and [{}][{}] {}: must be equal</source>
+        <translation>ist {} und [{}][{}] {}: müssen gleich sein</translation>
+    </message>
+    <message>
+        <source>is {}, a correlation beyond 1: at most {}</source>
+        <translation>ist {}, eine Korrelation über 1: höchstens {}</translation>
+    </message>
+    <message>
+        <source>cells without a number: {}, the first in {}</source>
+        <translation>Zellen ohne Zahl: {}, die erste in {}</translation>
+    </message>
+    <message>
+        <source>they are missing values of the recording; enter them in the table where they are known</source>
+        <translation>sie sind fehlende Werte der Aufzeichnung; wo sie bekannt sind, in die Tabelle eintragen</translation>
+    </message>
+    <message>
+        <source>is {}, must be below {}, half of the sampling rate</source>
+        <translation>ist {}, muss unter {} liegen, der halben Abtastrate</translation>
+    </message>
+    <message>
+        <source>{} has no value at {} s (row {}, {} such rows)</source>
+        <translation>{} hat bei {} s keinen Wert (Zeile {} der Daten, {} solche Zeilen)</translation>
+    </message>
+    <message>
+        <source>remove these rows (the first is line {} of a CSV file) or enter their values</source>
+        <translation>diese Zeilen entfernen (die erste ist Zeile {} einer CSV-Datei) oder ihre Werte eintragen</translation>
+    </message>
+    <message>
+        <source>the gains are for a sampling period of {} s, this device has {} s</source>
+        <translation>die Verstärkungen sind für eine Abtastperiode von {} s, dieses Gerät hat {} s</translation>
     </message>
 </context>
 <context>

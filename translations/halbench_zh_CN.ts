@@ -1399,10 +1399,6 @@
         <translation>请给出采样率（每秒行数）</translation>
     </message>
     <message>
-        <source>write numbers like -1{}5e-3, or set --decimal</source>
-        <translation>请将数字写成 -1{}5e-3，或设置 --decimal</translation>
-    </message>
-    <message>
         <source>numbers range from about 1e-308 to 1e308</source>
         <translation>数值范围约为 1e-308 至 1e308</translation>
     </message>
@@ -8251,10 +8247,6 @@
         <translation>此处有 {} 个单元格，而表有 {} 列</translation>
     </message>
     <message>
-        <source>the time is missing</source>
-        <translation>缺少时间</translation>
-    </message>
-    <message>
         <source>remove the row, or give --rate_Hz instead</source>
         <translation>删除该行，或改为给出 --rate_Hz</translation>
     </message>
@@ -8333,10 +8325,6 @@
     <message>
         <source>the recording has no {}</source>
         <translation>记录中没有 {}</translation>
-    </message>
-    <message>
-        <source>record the move again</source>
-        <translation>请重新记录该运动</translation>
     </message>
     <message>
         <source>name mask, character {}: {}</source>
@@ -8553,10 +8541,6 @@
     <message>
         <source>a recorded move has rows of 1 ms and cannot be replayed through a loop of {} ms</source>
         <translation>记录的运动每行为 1 ms，无法通过 {} ms 的回路重放</translation>
-    </message>
-    <message>
-        <source>must be a positive time in seconds</source>
-        <translation>必须是以秒为单位的正的时间</translation>
     </message>
     <message>
         <source>the motor was measured at {} s with {} samples of delay, this device has {} s and {}</source>
@@ -9381,6 +9365,90 @@
     <message>
         <source>open a response of this kind of device</source>
         <translation>请打开此类设备的响应</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number ({})</source>
+        <translation>&apos;{}&apos; 不是数({})</translation>
+    </message>
+    <message>
+        <source>write a number, or leave the cell empty where a value is missing; remove a column of words; or set the format with --separator, --decimal and --header</source>
+        <translation>请填写数,缺少值时将单元格留空;删除文字列;或用 --separator、--decimal 和 --header 设置格式</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number (column {}, &apos;{}&apos;)</source>
+        <translation>&apos;{}&apos; 不是数(第 {} 列,&apos;{}&apos;)</translation>
+    </message>
+    <message>
+        <source>write numbers like -1{}5e-3, leave the cell empty where a value is missing, or set --decimal</source>
+        <translation>请按 -1{}5e-3 的形式写数,缺少值时将单元格留空,或设置 --decimal</translation>
+    </message>
+    <message>
+        <source>the time is missing (column {}, &apos;{}&apos;)</source>
+        <translation>缺少时间(第 {} 列,&apos;{}&apos;)</translation>
+    </message>
+    <message>
+        <source>line {}, column {}, &apos;{}&apos;</source>
+        <translation>第 {} 行第 {} 列,&apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>is {}, must be a whole number not below {}</source>
+        <translation>为 {},必须是不小于 {} 的整数</translation>
+    </message>
+    <message>
+        <source>is {}, must be a whole number from {} to {}</source>
+        <translation>为 {},必须是 {} 到 {} 的整数</translation>
+    </message>
+    <message>
+        <source>is {}, must be from {} to {}</source>
+        <translation>为 {},必须在 {} 到 {} 之间</translation>
+    </message>
+    <message>
+        <source>is {}, must be above {}</source>
+        <translation>为 {},必须大于 {}</translation>
+    </message>
+    <message>
+        <source>is {}, must not be below {}</source>
+        <translation>为 {},不得小于 {}</translation>
+    </message>
+    <message>
+        <source>correct the value or write the file again</source>
+        <translation>请更正该值或重新写出文件</translation>
+    </message>
+    <message>
+        <source>is {}, no variance is negative</source>
+        <translation>为 {},方差不会为负</translation>
+    </message>
+    <message>
+        <source>is {} and [{}][{}] {}: must be equal</source>
+        <translation>为 {},而 [{}][{}] 为 {}:必须相等</translation>
+    </message>
+    <message>
+        <source>is {}, a correlation beyond 1: at most {}</source>
+        <translation>为 {},相关系数超过 1:至多 {}</translation>
+    </message>
+    <message>
+        <source>cells without a number: {}, the first in {}</source>
+        <translation>没有数的单元格:{},第一个在{}</translation>
+    </message>
+    <message>
+        <source>they are missing values of the recording; enter them in the table where they are known</source>
+        <translation>它们是记录中的缺失值;已知时请填入表格</translation>
+    </message>
+    <message>
+        <source>is {}, must be below {}, half of the sampling rate</source>
+        <translation>为 {},必须小于采样率的一半 {}</translation>
+    </message>
+    <message>
+        <source>{} has no value at {} s (row {}, {} such rows)</source>
+        <translation>{} 在 {} s 处没有值(第 {} 行数据,共 {} 行如此)</translation>
+    </message>
+    <message>
+        <source>remove these rows (the first is line {} of a CSV file) or enter their values</source>
+        <translation>请删除这些行(第一行是 CSV 文件的第 {} 行)或填入其值</translation>
+    </message>
+    <message>
+        <source>the gains are for a sampling period of {} s, this device has {} s</source>
+        <translation>这些增益用于 {} s 的采样周期,此设备为 {} s</translation>
     </message>
 </context>
 <context>
