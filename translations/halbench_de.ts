@@ -1399,10 +1399,6 @@
         <translation>Abtastrate in Zeilen je Sekunde angeben</translation>
     </message>
     <message>
-        <source>write numbers like -1{}5e-3, or set --decimal</source>
-        <translation>Zahlen wie -1{}5e-3 schreiben, oder --decimal setzen</translation>
-    </message>
-    <message>
         <source>numbers range from about 1e-308 to 1e308</source>
         <translation>Zahlen reichen von etwa 1e-308 bis 1e308</translation>
     </message>
@@ -3701,10 +3697,6 @@
     <message>
         <source>&apos;{}&apos; reads {} T: it is in another unit</source>
         <translation>'{}' liest {} T: Die Einheit ist eine andere</translation>
-    </message>
-    <message>
-        <source>A calibration needs nine fields in tesla, field.0.r, field.0.theta ... field.2.phi; rename columns with halbench import --map.</source>
-        <translation>Eine Kalibrierung braucht neun Felder in Tesla, field.0.r, field.0.theta ... field.2.phi; benennen Sie Spalten mit halbench import --map um.</translation>
     </message>
     <message>
         <source>there is no signal &apos;{}&apos;</source>
@@ -8255,10 +8247,6 @@
         <translation>{} Zellen, wo die Tabelle {} Spalten hat</translation>
     </message>
     <message>
-        <source>the time is missing</source>
-        <translation>die Zeit fehlt</translation>
-    </message>
-    <message>
         <source>remove the row, or give --rate_Hz instead</source>
         <translation>entfernen Sie die Zeile, oder geben Sie stattdessen --rate_Hz an</translation>
     </message>
@@ -8337,10 +8325,6 @@
     <message>
         <source>the recording has no {}</source>
         <translation>die Aufzeichnung hat kein {}</translation>
-    </message>
-    <message>
-        <source>record the move again</source>
-        <translation>die Bewegung erneut aufzeichnen</translation>
     </message>
     <message>
         <source>name mask, character {}: {}</source>
@@ -8559,10 +8543,6 @@
         <translation>eine aufgenommene Bewegung hat Zeilen von 1 ms und lässt sich nicht durch einen Regelkreis von {} ms wiedergeben</translation>
     </message>
     <message>
-        <source>must be a positive time in seconds</source>
-        <translation>muss eine positive Zeit in Sekunden sein</translation>
-    </message>
-    <message>
         <source>the motor was measured at {} s with {} samples of delay, this device has {} s and {}</source>
         <translation>der Motor wurde mit {} s und {} Abtastungen Verzögerung gemessen, dieses Gerät hat {} s und {}</translation>
     </message>
@@ -8659,20 +8639,12 @@
         <translation>Die Lage eines Feldsensors ist keine endliche Zahl.</translation>
     </message>
     <message>
-        <source>A field sensor lies inside the rotor.</source>
-        <translation>Ein Feldsensor liegt im Rotor.</translation>
-    </message>
-    <message>
         <source>Place it outside the rotor&apos;s outer radius.</source>
         <translation>Außerhalb des Außenradius des Rotors anordnen.</translation>
     </message>
     <message>
         <source>The three axes of a field sensor must be unit vectors that span the space.</source>
         <translation>Die drei Achsen eines Feldsensors müssen Einheitsvektoren sein, die den Raum aufspannen.</translation>
-    </message>
-    <message>
-        <source>Two field sensors lie at the same place.</source>
-        <translation>Zwei Feldsensoren liegen an derselben Stelle.</translation>
     </message>
     <message>
         <source>Each of the three sensors needs a place of its own.</source>
@@ -9253,6 +9225,230 @@
     <message>
         <source>Give one of them.</source>
         <translation>Geben Sie nur einen davon an.</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not in {}</source>
+        <translation>„{}“ ist nicht in {}</translation>
+    </message>
+    <message>
+        <source>give the unit of its numbers, e.g. {}: halbench import --unit COLUMN=UNIT --map {}=COLUMN</source>
+        <translation>Geben Sie die Einheit der Zahlen an, z. B. {}: halbench import --unit COLUMN=UNIT --map {}=COLUMN</translation>
+    </message>
+    <message>
+        <source>there are {}</source>
+        <translation>vorhanden sind {}</translation>
+    </message>
+    <message>
+        <source>sensor {} gave no reading in the whole record</source>
+        <translation>Sensor {} lieferte in der ganzen Aufzeichnung keinen Messwert</translation>
+    </message>
+    <message>
+        <source>Connect it, or check channels.off and its range: the calibration needs all three sensors.</source>
+        <translation>Schließen Sie ihn an, oder prüfen Sie channels.off und seinen Messbereich: Die Kalibrierung braucht alle drei Sensoren.</translation>
+    </message>
+    <message>
+        <source>{} gave no reading: its gain and offset keep their values</source>
+        <translation>{} lieferte keinen Messwert: Verstärkung und Offset behalten ihre Werte</translation>
+    </message>
+    <message>
+        <source>Leave it out with channels.off, or repair it and calibrate again.</source>
+        <translation>Lassen Sie ihn mit channels.off aus, oder reparieren Sie ihn und kalibrieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>The common sign of all readings is not observable without a known orientation: reversed, they are those of a rotor that is spun by 90 degrees.</source>
+        <translation>Das gemeinsame Vorzeichen aller Messwerte ist ohne bekannte Orientierung nicht beobachtbar: Umgekehrt sind es die eines um 90 Grad gedrehten Rotors.</translation>
+    </message>
+    <message>
+        <source>Compare one orientation with the rotor, or record reference.alpha, .beta and .gamma.</source>
+        <translation>Vergleichen Sie eine Orientierung mit dem Rotor, oder zeichnen Sie reference.alpha, .beta und .gamma auf.</translation>
+    </message>
+    <message>
+        <source>: sensor {} is missing</source>
+        <translation>: Sensor {} fehlt</translation>
+    </message>
+    <message>
+        <source>A calibration needs nine fields, field.0.r, field.0.theta ... field.2.phi; record all sensors, or rename columns with halbench import --map. There are {}.</source>
+        <translation>Eine Kalibrierung braucht neun Felder, field.0.r, field.0.theta ... field.2.phi; zeichnen Sie alle Sensoren auf, oder benennen Sie Spalten mit halbench import --map um. Vorhanden sind {}.</translation>
+    </message>
+    <message>
+        <source>the known orientation at {} s is beyond one turn, {} rad: it is in degrees</source>
+        <translation>Die bekannte Orientierung bei {} s liegt jenseits einer Umdrehung, {} rad: Sie ist in Grad</translation>
+    </message>
+    <message>
+        <source>Give the unit of its columns: halbench import --unit COLUMN=deg.</source>
+        <translation>Geben Sie die Einheit der Spalten an: halbench import --unit COLUMN=deg.</translation>
+    </message>
+    <message>
+        <source>Check the wiring and the direction of the sensors, reverse the sign of these columns and calibrate again.</source>
+        <translation>Prüfen Sie Verdrahtung und Richtung der Sensoren, kehren Sie das Vorzeichen dieser Spalten um und kalibrieren Sie erneut.</translation>
+    </message>
+    <message>
+        <source>{} read with the opposite sign of the others</source>
+        <translation>{}: Vorzeichen entgegengesetzt zu den anderen</translation>
+    </message>
+    <message>
+        <source>the known orientations differ from those of the readings by {} degrees (median)</source>
+        <translation>Die bekannten Orientierungen weichen um {} Grad (Median) von denen der Messwerte ab</translation>
+    </message>
+    <message>
+        <source>Check their unit, the order of the rotations (Z, then Y, then X of the stator), their time base and the placement of the sensors.</source>
+        <translation>Prüfen Sie Einheit, Reihenfolge der Drehungen (Z, dann Y, dann X des Stators), Zeitbasis und die Anordnung der Sensoren.</translation>
+    </message>
+    <message>
+        <source>all readings have the opposite sign of those that {}.alpha, .beta and .gamma tell: their sign, or that of q, is reversed</source>
+        <translation>Alle Messwerte haben das entgegengesetzte Vorzeichen derer zu {}.alpha, .beta und .gamma: Ihr Vorzeichen oder das von q ist umgekehrt</translation>
+    </message>
+    <message>
+        <source>Sensor {} lies inside the rotor: {} mm from its centre, the rotor has {} mm.</source>
+        <translation>Sensor {} liegt im Rotor: {} mm von dessen Mitte, der Rotor hat {} mm.</translation>
+    </message>
+    <message>
+        <source>Sensors {} and {} lie at the same place.</source>
+        <translation>Die Sensoren {} und {} liegen am selben Ort.</translation>
+    </message>
+    <message>
+        <source>{}: {}: needs axis, position_unit and effort_unit</source>
+        <translation>{}: {}: braucht axis, position_unit und effort_unit</translation>
+    </message>
+    <message>
+        <source>{}: {}: gains: needs kp, ki, kd and filter_s</source>
+        <translation>{}: {}: gains: braucht kp, ki, kd und filter_s</translation>
+    </message>
+    <message>
+        <source>{}: sample_period_s, delay_samples: must be numbers, the first above zero</source>
+        <translation>{}: sample_period_s, delay_samples: müssen Zahlen sein, die erste über null</translation>
+    </message>
+    <message>
+        <source>{}: axes: the list is empty</source>
+        <translation>{}: axes: Die Liste ist leer</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs a frequency above the previous one and below half the rate</source>
+        <translation>{}: points[{}]: braucht eine Frequenz über der vorigen und unter der halben Rate</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs loops, used and coherence of each axis</source>
+        <translation>{}: points[{}]: braucht loops, used und coherence jeder Achse</translation>
+    </message>
+    <message>
+        <source>measure the response of a device with several axes</source>
+        <translation>messen Sie den Frequenzgang eines Geräts mit mehreren Achsen</translation>
+    </message>
+    <message>
+        <source>axis {}: the response is in {}/({}), the model in {}/({})</source>
+        <translation>Achse {}: Der Frequenzgang ist in {}/({}), das Modell in {}/({})</translation>
+    </message>
+    <message>
+        <source>measure the response on this kind of device</source>
+        <translation>messen Sie den Frequenzgang an einem Gerät dieser Art</translation>
+    </message>
+    <message>
+        <source>the response is of axes {}, the model has {}</source>
+        <translation>der Frequenzgang ist von den Achsen {}, das Modell hat {}</translation>
+    </message>
+    <message>
+        <source>open the response of an axis of the model</source>
+        <translation>öffnen Sie den Frequenzgang einer Achse des Modells</translation>
+    </message>
+    <message>
+        <source>no axes were identified</source>
+        <translation>keine Achsen wurden identifiziert</translation>
+    </message>
+    <message>
+        <source>identify the axes first</source>
+        <translation>identifizieren Sie zuerst die Achsen</translation>
+    </message>
+    <message>
+        <source>the response is of a device &apos;{}&apos;, the model is of a &apos;{}&apos;</source>
+        <translation>der Frequenzgang ist von einem Gerät „{}“, das Modell von „{}“</translation>
+    </message>
+    <message>
+        <source>open a response of this kind of device</source>
+        <translation>öffnen Sie einen Frequenzgang dieser Art von Gerät</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number ({})</source>
+        <translation>&apos;{}&apos; ist keine Zahl ({})</translation>
+    </message>
+    <message>
+        <source>write a number, or leave the cell empty where a value is missing; remove a column of words; or set the format with --separator, --decimal and --header</source>
+        <translation>eine Zahl schreiben, oder die Zelle leer lassen, wo ein Wert fehlt; eine Spalte mit Wörtern entfernen; oder das Format mit --separator, --decimal und --header setzen</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number (column {}, &apos;{}&apos;)</source>
+        <translation>&apos;{}&apos; ist keine Zahl (Spalte {}, &apos;{}&apos;)</translation>
+    </message>
+    <message>
+        <source>write numbers like -1{}5e-3, leave the cell empty where a value is missing, or set --decimal</source>
+        <translation>Zahlen wie -1{}5e-3 schreiben, die Zelle leer lassen, wo ein Wert fehlt, oder --decimal setzen</translation>
+    </message>
+    <message>
+        <source>the time is missing (column {}, &apos;{}&apos;)</source>
+        <translation>die Zeit fehlt (Spalte {}, &apos;{}&apos;)</translation>
+    </message>
+    <message>
+        <source>line {}, column {}, &apos;{}&apos;</source>
+        <translation>Zeile {}, Spalte {}, &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>is {}, must be a whole number not below {}</source>
+        <translation>ist {}, muss eine ganze Zahl nicht unter {} sein</translation>
+    </message>
+    <message>
+        <source>is {}, must be a whole number from {} to {}</source>
+        <translation>ist {}, muss eine ganze Zahl von {} bis {} sein</translation>
+    </message>
+    <message>
+        <source>is {}, must be from {} to {}</source>
+        <translation>ist {}, muss zwischen {} und {} liegen</translation>
+    </message>
+    <message>
+        <source>is {}, must be above {}</source>
+        <translation>ist {}, muss über {} liegen</translation>
+    </message>
+    <message>
+        <source>is {}, must not be below {}</source>
+        <translation>ist {}, darf nicht unter {} liegen</translation>
+    </message>
+    <message>
+        <source>correct the value or write the file again</source>
+        <translation>den Wert berichtigen oder die Datei neu schreiben</translation>
+    </message>
+    <message>
+        <source>is {}, no variance is negative</source>
+        <translation>ist {}, keine Varianz ist negativ</translation>
+    </message>
+    <message>
+        <source>is {} and [{}][{}] {}: must be equal</source>
+        <translation>ist {} und [{}][{}] {}: müssen gleich sein</translation>
+    </message>
+    <message>
+        <source>is {}, a correlation beyond 1: at most {}</source>
+        <translation>ist {}, eine Korrelation über 1: höchstens {}</translation>
+    </message>
+    <message>
+        <source>cells without a number: {}, the first in {}</source>
+        <translation>Zellen ohne Zahl: {}, die erste in {}</translation>
+    </message>
+    <message>
+        <source>they are missing values of the recording; enter them in the table where they are known</source>
+        <translation>sie sind fehlende Werte der Aufzeichnung; wo sie bekannt sind, in die Tabelle eintragen</translation>
+    </message>
+    <message>
+        <source>is {}, must be below {}, half of the sampling rate</source>
+        <translation>ist {}, muss unter {} liegen, der halben Abtastrate</translation>
+    </message>
+    <message>
+        <source>{} has no value at {} s (row {}, {} such rows)</source>
+        <translation>{} hat bei {} s keinen Wert (Zeile {} der Daten, {} solche Zeilen)</translation>
+    </message>
+    <message>
+        <source>remove these rows (the first is line {} of a CSV file) or enter their values</source>
+        <translation>diese Zeilen entfernen (die erste ist Zeile {} einer CSV-Datei) oder ihre Werte eintragen</translation>
+    </message>
+    <message>
+        <source>the gains are for a sampling period of {} s, this device has {} s</source>
+        <translation>die Verstärkungen sind für eine Abtastperiode von {} s, dieses Gerät hat {} s</translation>
     </message>
 </context>
 <context>
@@ -10863,7 +11059,18 @@ Firmware %2</translation>
     </message>
 </context>
 <context>
-    <name>halbench::app::DriveControl</name>
+    <name>halbench::app::ReferenceRun</name>
+    <message>
+        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
+        <translation>Sperren und freigeben, dann starten. Firmware ab 0.2.0 beginnt an der jetzigen Position.</translation>
+    </message>
+    <message>
+        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
+        <translation>Nicht gestartet: Mit dieser Firmware (%1) beginnt die Bewegung an der Freigabeposition; der Rotor würde springen.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SetpointMotion</name>
     <message>
         <source>Not sent: a step above %1 is too large, and this firmware has no ramp.</source>
         <translation>Nicht gesendet: Ein Sprung über %1 ist zu groß, und diese Firmware hat keine Rampe.</translation>
@@ -10879,14 +11086,6 @@ Firmware %2</translation>
     <message>
         <source>End the reference first. The device then moves there in a ramp.</source>
         <translation>Zuerst die Führungsgröße beenden. Das Gerät fährt dann als Rampe dorthin.</translation>
-    </message>
-    <message>
-        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
-        <translation>Sperren und freigeben, dann starten. Firmware ab 0.2.0 beginnt an der jetzigen Position.</translation>
-    </message>
-    <message>
-        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
-        <translation>Nicht gestartet: Mit dieser Firmware (%1) beginnt die Bewegung an der Freigabeposition; der Rotor würde springen.</translation>
     </message>
 </context>
 <context>
@@ -20254,6 +20453,25 @@ Hall B
     <message>
         <source>Time constant of the derivative&apos;s filter</source>
         <translation>Zeitkonstante des Filters am D-Anteil</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisResponseButton</name>
+    <message>
+        <source>Measured response…</source>
+        <translation>Messung …</translation>
+    </message>
+    <message>
+        <source>Show a measured frequency response in the open loops</source>
+        <translation>Einen gemessenen Frequenzgang in den offenen Kreisen zeigen</translation>
+    </message>
+    <message>
+        <source>Open a measured response</source>
+        <translation>Gemessenen Frequenzgang öffnen</translation>
+    </message>
+    <message>
+        <source>Response (*.json)</source>
+        <translation>Frequenzgang (*.json)</translation>
     </message>
 </context>
 <context>

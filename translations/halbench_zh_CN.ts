@@ -1399,10 +1399,6 @@
         <translation>请给出采样率（每秒行数）</translation>
     </message>
     <message>
-        <source>write numbers like -1{}5e-3, or set --decimal</source>
-        <translation>请将数字写成 -1{}5e-3，或设置 --decimal</translation>
-    </message>
-    <message>
         <source>numbers range from about 1e-308 to 1e308</source>
         <translation>数值范围约为 1e-308 至 1e308</translation>
     </message>
@@ -3701,10 +3697,6 @@
     <message>
         <source>&apos;{}&apos; reads {} T: it is in another unit</source>
         <translation>'{}' 读数为 {} T：单位不对</translation>
-    </message>
-    <message>
-        <source>A calibration needs nine fields in tesla, field.0.r, field.0.theta ... field.2.phi; rename columns with halbench import --map.</source>
-        <translation>标定需要九个以特斯拉为单位的磁场 field.0.r、field.0.theta … field.2.phi；用 halbench import --map 重命名列。</translation>
     </message>
     <message>
         <source>there is no signal &apos;{}&apos;</source>
@@ -8255,10 +8247,6 @@
         <translation>此处有 {} 个单元格，而表有 {} 列</translation>
     </message>
     <message>
-        <source>the time is missing</source>
-        <translation>缺少时间</translation>
-    </message>
-    <message>
         <source>remove the row, or give --rate_Hz instead</source>
         <translation>删除该行，或改为给出 --rate_Hz</translation>
     </message>
@@ -8337,10 +8325,6 @@
     <message>
         <source>the recording has no {}</source>
         <translation>记录中没有 {}</translation>
-    </message>
-    <message>
-        <source>record the move again</source>
-        <translation>请重新记录该运动</translation>
     </message>
     <message>
         <source>name mask, character {}: {}</source>
@@ -8559,10 +8543,6 @@
         <translation>记录的运动每行为 1 ms，无法通过 {} ms 的回路重放</translation>
     </message>
     <message>
-        <source>must be a positive time in seconds</source>
-        <translation>必须是以秒为单位的正的时间</translation>
-    </message>
-    <message>
         <source>the motor was measured at {} s with {} samples of delay, this device has {} s and {}</source>
         <translation>该电机是在 {} s、{} 个采样的时延下测量的，而此设备为 {} s 和 {}</translation>
     </message>
@@ -8659,20 +8639,12 @@
         <translation>磁场传感器的位姿不是有限数。</translation>
     </message>
     <message>
-        <source>A field sensor lies inside the rotor.</source>
-        <translation>一个磁场传感器位于转子内部。</translation>
-    </message>
-    <message>
         <source>Place it outside the rotor&apos;s outer radius.</source>
         <translation>请将其置于转子外半径之外。</translation>
     </message>
     <message>
         <source>The three axes of a field sensor must be unit vectors that span the space.</source>
         <translation>磁场传感器的三个轴必须是张成空间的单位向量。</translation>
-    </message>
-    <message>
-        <source>Two field sensors lie at the same place.</source>
-        <translation>两个磁场传感器位于同一位置。</translation>
     </message>
     <message>
         <source>Each of the three sensors needs a place of its own.</source>
@@ -9253,6 +9225,230 @@
     <message>
         <source>Give one of them.</source>
         <translation>只给出其中一个。</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not in {}</source>
+        <translation>“{}”的单位不是 {}</translation>
+    </message>
+    <message>
+        <source>give the unit of its numbers, e.g. {}: halbench import --unit COLUMN=UNIT --map {}=COLUMN</source>
+        <translation>请给出数值的单位，例如 {}：halbench import --unit COLUMN=UNIT --map {}=COLUMN</translation>
+    </message>
+    <message>
+        <source>there are {}</source>
+        <translation>现有 {}</translation>
+    </message>
+    <message>
+        <source>sensor {} gave no reading in the whole record</source>
+        <translation>传感器 {} 在整个记录中没有读数</translation>
+    </message>
+    <message>
+        <source>Connect it, or check channels.off and its range: the calibration needs all three sensors.</source>
+        <translation>请连接它，或检查 channels.off 及其量程：标定需要全部三个传感器。</translation>
+    </message>
+    <message>
+        <source>{} gave no reading: its gain and offset keep their values</source>
+        <translation>{} 没有读数：其增益和偏移保持原值</translation>
+    </message>
+    <message>
+        <source>Leave it out with channels.off, or repair it and calibrate again.</source>
+        <translation>用 channels.off 将其排除，或修复后重新标定。</translation>
+    </message>
+    <message>
+        <source>The common sign of all readings is not observable without a known orientation: reversed, they are those of a rotor that is spun by 90 degrees.</source>
+        <translation>没有已知姿态时，所有读数的共同符号不可观测：反号后等同于转子自旋 90 度。</translation>
+    </message>
+    <message>
+        <source>Compare one orientation with the rotor, or record reference.alpha, .beta and .gamma.</source>
+        <translation>请将一个姿态与转子比对，或记录 reference.alpha、.beta 和 .gamma。</translation>
+    </message>
+    <message>
+        <source>: sensor {} is missing</source>
+        <translation>：缺少传感器 {}</translation>
+    </message>
+    <message>
+        <source>A calibration needs nine fields, field.0.r, field.0.theta ... field.2.phi; record all sensors, or rename columns with halbench import --map. There are {}.</source>
+        <translation>标定需要九个场分量 field.0.r、field.0.theta ... field.2.phi；请记录所有传感器，或用 halbench import --map 重命名列。现有 {}。</translation>
+    </message>
+    <message>
+        <source>the known orientation at {} s is beyond one turn, {} rad: it is in degrees</source>
+        <translation>{} s 处的已知姿态超过一整圈，{} rad：其单位是度</translation>
+    </message>
+    <message>
+        <source>Give the unit of its columns: halbench import --unit COLUMN=deg.</source>
+        <translation>请给出这些列的单位：halbench import --unit COLUMN=deg。</translation>
+    </message>
+    <message>
+        <source>Check the wiring and the direction of the sensors, reverse the sign of these columns and calibrate again.</source>
+        <translation>检查传感器的接线和方向，将这些列反号后重新标定。</translation>
+    </message>
+    <message>
+        <source>{} read with the opposite sign of the others</source>
+        <translation>{} 的符号与其他读数相反</translation>
+    </message>
+    <message>
+        <source>the known orientations differ from those of the readings by {} degrees (median)</source>
+        <translation>已知姿态与读数得出的姿态相差 {} 度（中位数）</translation>
+    </message>
+    <message>
+        <source>Check their unit, the order of the rotations (Z, then Y, then X of the stator), their time base and the placement of the sensors.</source>
+        <translation>检查其单位、旋转顺序（定子的 Z、Y、X）、时间基准以及传感器的位置。</translation>
+    </message>
+    <message>
+        <source>all readings have the opposite sign of those that {}.alpha, .beta and .gamma tell: their sign, or that of q, is reversed</source>
+        <translation>所有读数与 {}.alpha、.beta、.gamma 所对应的符号相反：读数或 q 的符号反了</translation>
+    </message>
+    <message>
+        <source>Sensor {} lies inside the rotor: {} mm from its centre, the rotor has {} mm.</source>
+        <translation>传感器 {} 位于转子内：距其中心 {} mm，转子半径为 {} mm。</translation>
+    </message>
+    <message>
+        <source>Sensors {} and {} lie at the same place.</source>
+        <translation>传感器 {} 和 {} 位于同一位置。</translation>
+    </message>
+    <message>
+        <source>{}: {}: needs axis, position_unit and effort_unit</source>
+        <translation>{}：{}：需要 axis、position_unit 和 effort_unit</translation>
+    </message>
+    <message>
+        <source>{}: {}: gains: needs kp, ki, kd and filter_s</source>
+        <translation>{}：{}：gains：需要 kp、ki、kd 和 filter_s</translation>
+    </message>
+    <message>
+        <source>{}: sample_period_s, delay_samples: must be numbers, the first above zero</source>
+        <translation>{}：sample_period_s、delay_samples：必须是数值，且前者大于零</translation>
+    </message>
+    <message>
+        <source>{}: axes: the list is empty</source>
+        <translation>{}：axes：列表为空</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs a frequency above the previous one and below half the rate</source>
+        <translation>{}：points[{}]：频率须大于前一点并小于速率的一半</translation>
+    </message>
+    <message>
+        <source>{}: points[{}]: needs loops, used and coherence of each axis</source>
+        <translation>{}：points[{}]：需要每个轴的 loops、used 和 coherence</translation>
+    </message>
+    <message>
+        <source>measure the response of a device with several axes</source>
+        <translation>请测量多轴设备的频率响应</translation>
+    </message>
+    <message>
+        <source>axis {}: the response is in {}/({}), the model in {}/({})</source>
+        <translation>轴 {}：响应的单位为 {}/({})，模型的单位为 {}/({})</translation>
+    </message>
+    <message>
+        <source>measure the response on this kind of device</source>
+        <translation>请在此类设备上测量响应</translation>
+    </message>
+    <message>
+        <source>the response is of axes {}, the model has {}</source>
+        <translation>响应对应的轴为 {}，模型的轴为 {}</translation>
+    </message>
+    <message>
+        <source>open the response of an axis of the model</source>
+        <translation>请打开模型所含轴的响应</translation>
+    </message>
+    <message>
+        <source>no axes were identified</source>
+        <translation>尚未辨识任何轴</translation>
+    </message>
+    <message>
+        <source>identify the axes first</source>
+        <translation>请先辨识各轴</translation>
+    </message>
+    <message>
+        <source>the response is of a device &apos;{}&apos;, the model is of a &apos;{}&apos;</source>
+        <translation>响应来自设备“{}”，模型来自“{}”</translation>
+    </message>
+    <message>
+        <source>open a response of this kind of device</source>
+        <translation>请打开此类设备的响应</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number ({})</source>
+        <translation>&apos;{}&apos; 不是数({})</translation>
+    </message>
+    <message>
+        <source>write a number, or leave the cell empty where a value is missing; remove a column of words; or set the format with --separator, --decimal and --header</source>
+        <translation>请填写数,缺少值时将单元格留空;删除文字列;或用 --separator、--decimal 和 --header 设置格式</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a number (column {}, &apos;{}&apos;)</source>
+        <translation>&apos;{}&apos; 不是数(第 {} 列,&apos;{}&apos;)</translation>
+    </message>
+    <message>
+        <source>write numbers like -1{}5e-3, leave the cell empty where a value is missing, or set --decimal</source>
+        <translation>请按 -1{}5e-3 的形式写数,缺少值时将单元格留空,或设置 --decimal</translation>
+    </message>
+    <message>
+        <source>the time is missing (column {}, &apos;{}&apos;)</source>
+        <translation>缺少时间(第 {} 列,&apos;{}&apos;)</translation>
+    </message>
+    <message>
+        <source>line {}, column {}, &apos;{}&apos;</source>
+        <translation>第 {} 行第 {} 列,&apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>is {}, must be a whole number not below {}</source>
+        <translation>为 {},必须是不小于 {} 的整数</translation>
+    </message>
+    <message>
+        <source>is {}, must be a whole number from {} to {}</source>
+        <translation>为 {},必须是 {} 到 {} 的整数</translation>
+    </message>
+    <message>
+        <source>is {}, must be from {} to {}</source>
+        <translation>为 {},必须在 {} 到 {} 之间</translation>
+    </message>
+    <message>
+        <source>is {}, must be above {}</source>
+        <translation>为 {},必须大于 {}</translation>
+    </message>
+    <message>
+        <source>is {}, must not be below {}</source>
+        <translation>为 {},不得小于 {}</translation>
+    </message>
+    <message>
+        <source>correct the value or write the file again</source>
+        <translation>请更正该值或重新写出文件</translation>
+    </message>
+    <message>
+        <source>is {}, no variance is negative</source>
+        <translation>为 {},方差不会为负</translation>
+    </message>
+    <message>
+        <source>is {} and [{}][{}] {}: must be equal</source>
+        <translation>为 {},而 [{}][{}] 为 {}:必须相等</translation>
+    </message>
+    <message>
+        <source>is {}, a correlation beyond 1: at most {}</source>
+        <translation>为 {},相关系数超过 1:至多 {}</translation>
+    </message>
+    <message>
+        <source>cells without a number: {}, the first in {}</source>
+        <translation>没有数的单元格:{},第一个在{}</translation>
+    </message>
+    <message>
+        <source>they are missing values of the recording; enter them in the table where they are known</source>
+        <translation>它们是记录中的缺失值;已知时请填入表格</translation>
+    </message>
+    <message>
+        <source>is {}, must be below {}, half of the sampling rate</source>
+        <translation>为 {},必须小于采样率的一半 {}</translation>
+    </message>
+    <message>
+        <source>{} has no value at {} s (row {}, {} such rows)</source>
+        <translation>{} 在 {} s 处没有值(第 {} 行数据,共 {} 行如此)</translation>
+    </message>
+    <message>
+        <source>remove these rows (the first is line {} of a CSV file) or enter their values</source>
+        <translation>请删除这些行(第一行是 CSV 文件的第 {} 行)或填入其值</translation>
+    </message>
+    <message>
+        <source>the gains are for a sampling period of {} s, this device has {} s</source>
+        <translation>这些增益用于 {} s 的采样周期,此设备为 {} s</translation>
     </message>
 </context>
 <context>
@@ -10858,7 +11054,18 @@ Firmware %2</source>
     </message>
 </context>
 <context>
-    <name>halbench::app::DriveControl</name>
+    <name>halbench::app::ReferenceRun</name>
+    <message>
+        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
+        <translation>请先解除使能再使能，然后启动。0.2.0 及以后的固件从当前位置开始。</translation>
+    </message>
+    <message>
+        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
+        <translation>未启动：此固件 (%1) 会从使能位置开始运动，转子会突跳。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SetpointMotion</name>
     <message>
         <source>Not sent: a step above %1 is too large, and this firmware has no ramp.</source>
         <translation>未发送：超过 %1 的阶跃过大，且此固件没有斜坡功能。</translation>
@@ -10874,14 +11081,6 @@ Firmware %2</source>
     <message>
         <source>End the reference first. The device then moves there in a ramp.</source>
         <translation>请先结束参考信号。之后设备以斜坡移动到该处。</translation>
-    </message>
-    <message>
-        <source>Disarm and arm, then start. Firmware 0.2.0 and later starts at the present position.</source>
-        <translation>请先解除使能再使能，然后启动。0.2.0 及以后的固件从当前位置开始。</translation>
-    </message>
-    <message>
-        <source>Not started: with this firmware (%1) the motion would begin at the arming position and the rotor would jump.</source>
-        <translation>未启动：此固件 (%1) 会从使能位置开始运动，转子会突跳。</translation>
     </message>
 </context>
 <context>
@@ -20239,6 +20438,25 @@ Hall B
     <message>
         <source>Time constant of the derivative&apos;s filter</source>
         <translation>微分滤波器的时间常数</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AxisResponseButton</name>
+    <message>
+        <source>Measured response…</source>
+        <translation>测得的响应…</translation>
+    </message>
+    <message>
+        <source>Show a measured frequency response in the open loops</source>
+        <translation>在开环图中显示测得的频率响应</translation>
+    </message>
+    <message>
+        <source>Open a measured response</source>
+        <translation>打开测得的响应</translation>
+    </message>
+    <message>
+        <source>Response (*.json)</source>
+        <translation>频率响应 (*.json)</translation>
     </message>
 </context>
 <context>

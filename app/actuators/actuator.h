@@ -41,6 +41,9 @@ struct Actuator {
                                                   const AbortCheck& checkAbort) = nullptr;
     std::span<const Contradiction> contradictions = {};
     std::span<const KnownConstant> knownConstants = {}; ///< a form has a field for each
+    /// Values that are each in range but impossible together with the others on the device. Errors:
+    /// OutOfRange, of the device; nullptr where none are.
+    Result<void> (*checkTogether)(devices::Device& device, std::span<const ParameterValue> values) = nullptr;
 };
 
 /// The table of actuators, one row each.
@@ -53,5 +56,9 @@ void addActuator(const Actuator& actuator);
 /// The row of a model. A board without a profile is judged by its signals and parameters and takes the first
 /// row, of one axis that turns.
 const Actuator& actuatorOf(std::string_view model);
+
+/// Writes values that a user chose, in one transaction, unless they are impossible together. Errors: of
+/// Actuator::checkTogether and of the device.
+Result<void> writeChosenValues(devices::Device& device, std::span<const ParameterValue> values);
 
 } // namespace halbench::app

@@ -11,6 +11,7 @@
 #include "app/procedures/apply/apply_axes.h"
 #include "app/procedures/base/doubtful_source.h"
 #include "app/tuning/axis_conditions.h"
+#include "app/tuning/gains_judgement.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -135,7 +136,15 @@ Result<TuneAxesResult> judgedGains(const std::string& path, const AxisModelFile&
     if (!laws) {
         return failure(laws.error());
     }
-    return judgeAxes(model.model, work.conditions, laws->laws, laws->methods, work.config);
+    auto judged = judgeAxes(model.model, work.conditions, laws->laws, laws->methods, work.config);
+    for (std::size_t i = 0; judged && i < judged->axes.size(); ++i) {
+        if (const auto timing = otherTiming(laws->timings[i], work.conditions[i].timing)) {
+            addOtherTiming(judged->axes[i], *timing);
+            judged->quality.verdict = std::max(judged->quality.verdict, Verdict::Doubtful);
+            judged->quality.findings.push_back(*timing);
+        }
+    }
+    return judged;
 }
 
 /// A model of another kind of actuator has no place here; one of another device of the kind needs a word.

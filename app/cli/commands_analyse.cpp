@@ -119,7 +119,7 @@ Result<TuneResult> judgeLoop(ComparedLoop& loop, const ModelFile& model, LoopCon
     config.seed = with.seed;
     Result<TuneResult> judged = judgeLaw(model.estimate, loop.gains.loopLaw(), config);
     if (judged && loop.timing) {
-        addFinding(*judged, *loop.timing);
+        addOtherTiming(*judged, *loop.timing);
     }
     if (judged) {
         loop.result.warnings = judged->warnings;

@@ -91,7 +91,7 @@ Result<TuneResult> findGains(const TuneOptions& options, const TuningSource& sou
                        judged.error().hint);
     }
     if (const auto timing = otherTiming(source.gains->timing, conditions.timing)) {
-        addFinding(*judged, *timing);
+        addOtherTiming(*judged, *timing);
     }
     const auto& motor = source.header.device;
     if (const auto foreign = motor ? foreignGains(*source.gains, *motor) : std::nullopt) {
@@ -141,7 +141,7 @@ Result<std::vector<Finding>> checkRelay(const TuneOptions& options, const Tuning
     if (!relay) {
         return failure(relay.error());
     }
-    if (!(relay->timing == source.conditions.timing)) {
+    if (!isSameTiming(relay->timing, source.conditions.timing)) {
         return failure(
             ErrorCode::InvalidInput,
             fmt::format("--relay: {} was measured at {:.4g} s with {} samples of delay, the design is for "

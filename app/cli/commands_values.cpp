@@ -1,3 +1,4 @@
+#include "app/actuators/actuator.h"
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/documents/result_header.h"
@@ -172,7 +173,7 @@ CommandResult runSetCommand(CommandContext& context, const SetOptions& options) 
             return failure(kept.error());
         }
     }
-    Result<void> written = device.writeParameters(*values);
+    Result<void> written = writeChosenValues(device, *values);
     if (written && options.isSaved) {
         written = device.saveParameters();
     }

@@ -50,6 +50,17 @@ Result<void> admitTiming(const TuneOptions& options, const MotorEstimate& motor,
                    same.error().hint + ", or repeat the command with --foreign-model");
 }
 
+/// Gains of a file that are sampled otherwise than the device does: likewise.
+Result<void> admitPeriod(const TuneOptions& options, const std::optional<GainsFile>& gains,
+                         const control::LoopTiming& device) {
+    const Result<void> same = gains ? checkPeriodOfGains(gains->timing, device) : Result<void>();
+    if (same || options.takesForeignModel) {
+        return {};
+    }
+    return failure(ErrorCode::Refused, "--apply: " + same.error().message,
+                   same.error().hint + ", or repeat the command with --foreign-model");
+}
+
 /// The device's law has what these gains need; then nothing has to be said of that any more.
 Result<void> admitLaw(const TuneOptions& options, TuneResult& result, const devices::Catalogue& catalogue) {
     if (!result.filtered) {
@@ -134,6 +145,9 @@ Result<void> openToApply(CommandContext& context, const TuneOptions& options, Tu
     if (const Result<void> fits = admitTiming(options, source.estimate, conditions->timing); !fits) {
         return fits;
     }
+    if (const Result<void> fits = admitPeriod(options, source.gains, conditions->timing); !fits) {
+        return fits;
+    }
     if (const auto timing = otherTiming(result.conditions.timing, conditions->timing)) {
         LoopConditions there = *conditions;
         there.stray = source.conditions.stray; // with its calibration
@@ -143,6 +157,7 @@ Result<void> openToApply(CommandContext& context, const TuneOptions& options, Tu
         }
         judged->bounds = judged->bounds ? judged->bounds : result.bounds;
         result = *std::move(judged);
+        result.quality.verdict = std::max(result.quality.verdict, Verdict::Doubtful);
         found.push_back(*timing);
     }
     if (const Result<void> runs = admitLaw(options, result, source.device->catalogue()); !runs) {

@@ -73,10 +73,23 @@ JsonValue peakOf(const MeasuredPeak& peak) {
                            : JsonValue(peak.withheld == MeasuredPeak::Withheld::Edge ? "edge" : "no_point"));
 }
 
+JsonValue sectionsOf(const control::SampledPositionLaw& law) {
+    JsonValue sections = JsonValue::array();
+    for (const control::LawSection<double>& section : law.sections) {
+        JsonValue entry = JsonValue::object();
+        entry.set("b0", section.b0).set("b1", section.b1).set("b2", section.b2);
+        sections.push(entry.set("a1", section.a1).set("a2", section.a2));
+    }
+    return sections;
+}
+
 JsonValue axisOf(const AxisResponse& response) {
     JsonValue gains = JsonValue::object();
     gains.set("kp", response.law.kp_A_per_rad).set("ki", response.law.ki_A_per_rad_s);
     gains.set("kd", response.law.kd_As_per_rad).set("filter_s", response.law.derivativeFilter_s);
+    if (!response.law.sections.empty()) {
+        gains.set("sections", sectionsOf(response.law));
+    }
     JsonValue margins = JsonValue::object();
     margins.set("phase_margin_deg", marginBody(response.margins.phase_deg));
     margins.set("gain_margin_db", marginBody(response.margins.gain_dB));

@@ -1,5 +1,6 @@
 #include "app/documents/axis_loop_documents.h"
 
+#include "app/documents/document_limits.h"
 #include "app/documents/document_parts.h"
 #include "app/documents/filtered_gains.h"
 #include "app/documents/result_documents.h"
@@ -288,6 +289,9 @@ Result<AxisGainsFile> parseAxisGains(const std::string& text, const std::string&
     if (itemsIn(&*root, "axes").empty()) {
         return failure(ErrorCode::InvalidInput,
                        origin + ": holds the gains of a single loop, the model has several axes", Remedy);
+    }
+    if (const Result<void> possible = checkLimits(*root, origin); !possible) {
+        return failure(possible.error());
     }
     AxisGainsFile file;
     file.device = deviceOf(member(&*root, "device"));

@@ -1,5 +1,6 @@
 #include "app/documents/axis_model_file.h"
 
+#include "app/documents/document_limits.h"
 #include "app/documents/document_parts.h"
 #include "app/documents/document_units.h"
 #include "app/documents/result_documents.h"
@@ -9,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace halbench::app {
@@ -30,18 +30,14 @@ JsonValue axisBody(const IdentifiedAxis& axis) {
     return body.set("parameters", parameters);
 }
 
-Result<void> readTiming(MeasuredTiming& timing, const JsonValue& axis, const std::string& name) {
+/// Within its limits, which readModel() has judged.
+MeasuredTiming timingOf(const JsonValue& axis) {
+    MeasuredTiming timing;
     timing.period_s = numberIn(&axis, "sample_period_s");
-    const std::optional<double> delay = numberIn(&axis, "delay_samples");
-    if (delay && (*delay < 0.0 || *delay > 2.0 || *delay != std::floor(*delay))) {
-        return failure(ErrorCode::InvalidInput,
-                       fmt::format("axis {}: delay_samples must be a whole number from 0 to 2", name),
-                       Remedy);
-    }
-    if (delay) {
+    if (const std::optional<double> delay = numberIn(&axis, "delay_samples")) {
         timing.delay_samples = static_cast<int>(*delay);
     }
-    return {};
+    return timing;
 }
 
 Result<IdentifiedAxis> readAxis(const JsonValue& value) {
@@ -63,8 +59,8 @@ Result<IdentifiedAxis> readAxis(const JsonValue& value) {
     axis.dampingRate = estimateOf(member(parameters, "damping_rate"));
     axis.accelerationGain = estimateOf(member(parameters, "acceleration_gain"));
     axis.breakawayEffort = estimateOf(member(parameters, "breakaway_effort"));
-    const auto timed = readTiming(axis.timing, value, axis.axis);
-    return timed ? Result<IdentifiedAxis>(std::move(axis)) : failure(timed.error());
+    axis.timing = timingOf(value);
+    return axis;
 }
 
 /// What is no number becomes a gap in the matrix, which checkAxisModel refuses.
@@ -84,6 +80,11 @@ void readCovariance(AxisModel& model, const JsonValue* covariance) {
 }
 
 Result<AxisModel> readModel(const JsonValue& body, const std::string& origin) {
+    for (const auto& possible : {checkLimits(body, origin), checkCovarianceLimits(body, origin)}) {
+        if (!possible) {
+            return failure(possible.error());
+        }
+    }
     AxisModel model;
     for (const JsonValue& value : itemsIn(&body, "axes")) {
         auto axis = readAxis(value);

@@ -1,5 +1,6 @@
 #include "app/documents/document_units.h"
 
+#include "app/documents/document_limits.h"
 #include "control/base/unit_conversion.h"
 
 #include <fmt/format.h>
@@ -228,7 +229,12 @@ Result<double> inDueUnit(std::string_view key, double value, const std::string& 
 
 Result<JsonValue> parseDocument(const std::string& text, const std::string& origin) {
     const Result<JsonValue> root = parseJson(text, origin);
-    return root ? UnitReader(origin).read(*root, "", "") : root;
+    Result<JsonValue> document = root ? UnitReader(origin).read(*root, "", "") : root;
+    if (!document) {
+        return document;
+    }
+    const Result<void> possible = checkLimits(*document, origin);
+    return possible ? document : failure(possible.error());
 }
 
 } // namespace halbench::app

@@ -20,7 +20,7 @@ Result<double> inDueUnit(std::string_view key, double value, const std::string& 
 
 /// parseJson(), with every value that states a unit in the unit that the program takes it in: its `value`,
 /// `ci95` and `unit`. Errors: of parseJson(); InvalidInput naming the key, of a unit of another dimension or
-/// one that is not known.
+/// one that is not known; of checkLimits().
 Result<JsonValue> parseDocument(const std::string& text, const std::string& origin);
 
 /// Fault of the interval of {"value", "ci95"} in words: no two finite numbers, the ends not in order, the

@@ -1,6 +1,7 @@
 #include "app/documents/frequency_file.h"
 
 #include "app/documents/document_parts.h"
+#include "app/documents/document_units.h"
 #include "app/documents/text/output_file.h"
 
 #include <fmt/format.h>
@@ -27,7 +28,7 @@ std::optional<MeasuredPlant::Point> pointOf(const JsonValue& entry, double above
 } // namespace
 
 Result<FrequencyFile> parseFrequency(const std::string& text, const std::string& origin) {
-    const Result<JsonValue> root = parseJson(text, origin);
+    const Result<JsonValue> root = parseDocument(text, origin);
     if (!root) {
         return failure(root.error());
     }

@@ -91,6 +91,12 @@ DataQuality qualityOf(const devices::CsvPlan& plan, const devices::CsvImport* im
                                 formatNumber(import->longestStep_s)),
                     "times are not changed; functions that need a constant rate may reject the recording"});
     }
+    if (import->missing > 0) {
+        quality.findings.push_back(
+            {"missing_values", fmt::format("cells without a number: {}, the first in {}", import->missing,
+                                           import->firstMissing),
+             "they are missing values of the recording; enter them in the table where they are known"});
+    }
     if (import->recording.lostRows > 0) {
         addFinding(quality, {"rows_lost", fmt::format("{} rows are missing", import->recording.lostRows),
                              "positions in the .meta.json file"});

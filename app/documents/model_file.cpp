@@ -1,9 +1,11 @@
 #include "app/documents/model_file.h"
 
+#include "app/documents/document_limits.h"
 #include "app/documents/document_parts.h"
 #include "app/documents/document_units.h"
 #include "app/documents/text/output_file.h"
 #include "app/procedures/base/doubtful_source.h"
+#include "control/base/units.h"
 #include "control/law/board_gains.h"
 
 #include <fmt/format.h>
@@ -217,9 +219,6 @@ void readCovariance(DocumentReader& reader, MotorEstimate& estimate) {
 MeasuredTiming readTiming(DocumentReader& reader) {
     MeasuredTiming timing;
     timing.period_s = reader.optionalNumber("sample_period_s");
-    if (timing.period_s && !control::checkTiming({*timing.period_s, 0})) {
-        reader.fail("sample_period_s", "must be a positive time in seconds");
-    }
     if (reader.optionalNumber("delay_samples")) {
         timing.delay_samples = static_cast<int>(reader.wholeNumber("delay_samples", 2.0));
     }
@@ -315,9 +314,19 @@ control::DesignTargets targetsOf(const JsonValue* targets) {
             numberIn(targets, "ultimate_period_s")};
 }
 
-} // namespace
-
-namespace {
+/// A sampled loop has no frequency beyond half its rate.
+void checkTargets(DocumentReader& reader, const control::DesignTargets& targets,
+                  const control::LoopTiming& timing) {
+    const double half_Hz = 0.5 / timing.period_s;
+    const auto check = [&](const char* key, const std::optional<double>& value, double most) {
+        if (value && *value >= most) {
+            reader.fail(
+                key, fmt::format("is {:.6g}, must be below {:.6g}, half of the sampling rate", *value, most));
+        }
+    };
+    check("targets.bandwidth_hz", targets.bandwidth_Hz, half_Hz);
+    check("targets.omega_rad_s", targets.omega_rad_s, 2.0 * Pi * half_Hz);
+}
 
 /// An interval of what must be positive, as far as the file has one.
 std::optional<std::pair<double, double>> intervalAt(DocumentReader& reader, const std::string& path) {
@@ -411,6 +420,9 @@ Result<ModelFile> parseModel(const std::string& text, const std::string& origin)
     if (reader.error()) {
         return failure(*reader.error());
     }
+    if (const Result<void> possible = checkCovarianceLimits(*root, origin); !possible) {
+        return failure(possible.error());
+    }
     const DataQuality quality = judgedQuality(reader, qualityOf(member(&*root, "data_quality")));
     if (quality.verdict == Verdict::Refused) {
         return failure(ErrorCode::Refused, origin + ": this estimate was rejected",
@@ -459,6 +471,7 @@ Result<GainsFile> parseGains(const std::string& text, const std::string& origin)
     }
     file.method = textIn(&*root, "method");
     file.targets = targetsOf(member(&*root, "targets"));
+    checkTargets(reader, file.targets, file.timing);
     file.started = textIn(&*root, "started");
     file.device = deviceOf(member(&*root, "device"));
     if (reader.error()) {

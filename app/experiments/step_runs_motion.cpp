@@ -1,3 +1,4 @@
+#include "app/actuators/actuator.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/result_header.h"
 #include "app/experiments/step_configs.h"
@@ -167,7 +168,7 @@ Result<StepOutcome> runRecordStep(StepRun& run, const ExperimentStep& step) {
 
 Result<StepOutcome> runSetStep(StepRun& run, const ExperimentStep& step) {
     const std::vector<ParameterValue> values = valuesOf(step);
-    if (const Result<void> written = run.device.writeParameters(values); !written) {
+    if (const Result<void> written = writeChosenValues(run.device, values); !written) {
         return failure(written.error());
     }
     StepOutcome outcome;

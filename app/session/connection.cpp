@@ -21,6 +21,12 @@ constexpr double ShortestSlice_s = 1e-3;
 /// The same of a time that runs slower than the wall clock's, so that it does not jump.
 constexpr double ShortestSlowSlice_s = 1e-4;
 constexpr double Rounding_s = 1e-9;
+/// A frame of the display is four times as long.
+constexpr double Gathering_s = 8e-3;
+/// So long the packets that have gathered are taken in; what is there already takes a part of it.
+constexpr double TakingIn_s = 1e-3;
+/// More since the last slice: they come faster than they are taken in, and nothing is left to gather.
+constexpr std::uint64_t MostGathered = 256;
 constexpr auto ReportPeriod = std::chrono::milliseconds(100);
 
 double seconds(Clock::duration duration) {
@@ -188,7 +194,14 @@ void Connection::advance() {
         idle(Slice_s / 2.0);
         return;
     }
-    const Result<void> passed = m_device->clock().waitFor(*slice_s);
+    const bool hasGathered = mayGather();
+    if (hasGathered) {
+        idle(Gathering_s);
+        if (isStopWanted()) {
+            return;
+        }
+    }
+    const Result<void> passed = m_device->clock().waitFor(hasGathered ? TakingIn_s : *slice_s);
     if (m_isPaced) {
         m_debt_s = std::max(0.0, m_debt_s - (m_device->clock().now_s() - now_s));
     }
@@ -282,6 +295,15 @@ void Connection::idle(double duration_s) {
     std::unique_lock lock(m_mutex);
     m_wake.wait_for(lock, std::chrono::duration<double>(duration_s),
                     [this] { return !m_jobs.empty() || m_isClosing || isStopWanted(); });
+}
+
+/// A real device's samples, when nothing but the display waits for them.
+bool Connection::mayGather() {
+    if (m_isPaced || m_wait || m_isProcedureStreaming || m_live.signals.empty()) {
+        return false;
+    }
+    const std::uint64_t received = m_device->statistics().packetsReceived;
+    return received - std::exchange(m_packetsTaken, received) <= MostGathered;
 }
 
 void Connection::afterSlice(const Result<void>& result) {

@@ -59,7 +59,9 @@ struct ReturnPlan {
 /// One open device on a thread of its own (resources/help/architecture.md, threads). The thread serves the
 /// link without pause: it feeds the watchdog, delivers samples, runs the jobs it is given one after the other
 /// and obeys stop() between any two slices of 5 ms, whatever procedure, fit or picture is busy elsewhere.
-/// While a job waits for the board's answer, the link itself looks at the orders and sends the stop.
+/// A stream that only the display watches is taken in every few ms: to wake for each of its packets costs
+/// more than the packets do. While a job waits for the board's answer, the link itself looks at the orders
+/// and sends the stop.
 ///
 /// A device that is lost is looked for until close(), if there is a plan for it. It comes back disarmed, the
 /// display's stream goes on, and time has passed by the host's clock. Whatever was begun before the loss gets
@@ -137,6 +139,7 @@ private:
     bool isVirtual() const { return m_isPaced && m_speed_ratio <= 0.0; }
     std::optional<double> dueTime_s(double now_s);
     void idle(double duration_s);
+    bool mayGather();
     void afterSlice(const Result<void>& result);
     void finishWait(Result<void> result);
     void report(bool isForced);
@@ -173,8 +176,9 @@ private:
     std::chrono::steady_clock::time_point m_lastAdvance;
     std::chrono::steady_clock::time_point m_lastReport;
     devices::DeviceState m_reported;
-    double m_debt_s = 0.0;  ///< device time that the wall clock asks for
-    bool m_isPaced = false; ///< its time passes as fast as the pace says: simulated or replayed
+    std::uint64_t m_packetsTaken = 0; ///< at the last slice
+    double m_debt_s = 0.0;            ///< device time that the wall clock asks for
+    bool m_isPaced = false;           ///< its time passes as fast as the pace says: simulated or replayed
     bool m_isStoppedForSilence = false;
 
     std::thread m_thread; ///< last: starts when everything else is there

@@ -97,6 +97,7 @@ Result<AxisLaws> lawsOf(const AxisGainsFile& file, const std::vector<std::string
         }
         const GainsFile& gains = file.gains[static_cast<std::size_t>(found - file.axes.begin())];
         result.laws.push_back(gains.loopLaw());
+        result.timings.push_back(gains.timing);
         result.methods.push_back(gains.method.empty() ? "file" : gains.method);
     }
     return result;

@@ -28,6 +28,7 @@ Result<AxisConditions> axisConditionsOf(const devices::Catalogue& catalogue,
 struct AxisLaws {
     std::vector<LoopLaw> laws;
     std::vector<std::string> methods;
+    std::vector<control::LoopTiming> timings; ///< that they were found for
 };
 Result<AxisLaws> lawsOf(const AxisGainsFile& file, const std::vector<std::string>& axes);
 

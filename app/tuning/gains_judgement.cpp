@@ -2,6 +2,7 @@
 
 #include "app/documents/filtered_gains.h"
 #include "app/documents/result_header.h"
+#include "app/procedures/base/measured_timing.h"
 
 #include <fmt/format.h>
 
@@ -50,7 +51,7 @@ std::optional<Finding> foreignGains(const GainsFile& gains, const devices::Devic
 }
 
 std::optional<Finding> otherTiming(const control::LoopTiming& designed, const control::LoopTiming& now) {
-    if (designed == now) {
+    if (isSameTiming(designed, now)) {
         return std::nullopt;
     }
     return Finding{"other_timing",
@@ -58,6 +59,21 @@ std::optional<Finding> otherTiming(const control::LoopTiming& designed, const co
                                "assessed for this device",
                                designed.period_s, designed.delay_samples, now.period_s, now.delay_samples),
                    "design them for the timing of this device"};
+}
+
+Result<void> checkPeriodOfGains(const control::LoopTiming& designed, const control::LoopTiming& device) {
+    if (isSamePeriod(designed.period_s, device.period_s)) {
+        return {};
+    }
+    return failure(ErrorCode::Refused,
+                   fmt::format("the gains are for a sampling period of {:.4g} s, this device has {:.4g} s",
+                               designed.period_s, device.period_s),
+                   "design them for the timing of this device");
+}
+
+void addOtherTiming(TuneResult& result, const Finding& finding) {
+    result.quality.verdict = std::max(result.quality.verdict, Verdict::Doubtful);
+    addFinding(result, finding);
 }
 
 void addFinding(TuneResult& result, const Finding& finding) {

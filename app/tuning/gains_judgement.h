@@ -25,6 +25,13 @@ std::optional<Finding> foreignGains(const GainsFile& gains, const devices::Devic
 /// A loop that samples or waits otherwise than the one that was designed for.
 std::optional<Finding> otherTiming(const control::LoopTiming& designed, const control::LoopTiming& now);
 
+/// Gains are sampled with the period they were written for: on a device with another one they are another
+/// loop. Error: Refused, with both.
+Result<void> checkPeriodOfGains(const control::LoopTiming& designed, const control::LoopTiming& device);
+
+/// Adds what otherTiming() found: such gains are doubtful at best.
+void addOtherTiming(TuneResult& result, const Finding& finding);
+
 /// A finding that is told with the gains and with what is thought of them.
 void addFinding(TuneResult& result, const Finding& finding);
 

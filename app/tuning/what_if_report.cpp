@@ -5,6 +5,7 @@
 #include "app/documents/result_header.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/result_text.h"
+#include "app/procedures/base/measured_timing.h"
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/procedures/tune/tune.h"
 #include "app/tuning/loop_conditions.h"
@@ -134,7 +135,7 @@ Result<RanMove> readRanMove(const std::string& recordingPath, const std::string&
         if (!gains) {
             return failure(gains.error());
         }
-        if (gains->timing.period_s != conditions.timing.period_s) {
+        if (!isSamePeriod(gains->timing.period_s, conditions.timing.period_s)) {
             return failure(ErrorCode::InvalidInput,
                            ranFile + ": the recorded gains have another sampling period",
                            "compare gains of the same device");

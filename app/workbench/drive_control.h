@@ -1,17 +1,17 @@
 #pragma once
 
-#include "app/workbench/reference_hold.h"
+#include "app/workbench/drive_arming.h"
+#include "app/workbench/drive_axes.h"
+#include "app/workbench/drive_commands.h"
+#include "app/workbench/drive_jog.h"
+#include "app/workbench/reference_run.h"
+#include "app/workbench/setpoint_motion.h"
 #include "app/workbench/workbench.h"
-#include "control/base/result.h"
 #include "devices/device.h"
 
-#include <QElapsedTimer>
 #include <QObject>
-#include <QTimer>
 
-#include <cstdint>
-#include <functional>
-#include <map>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -28,69 +28,74 @@ public:
     explicit DriveControl(Workbench& bench, QObject* parent = nullptr);
 
     /// A device is connected that can be driven from here, and no procedure has it.
-    bool isAvailable() const;
+    bool isAvailable() const { return m_arming.isAvailable(); }
     /// The device knows our arming (resources/help/protocol.md 3.15); boards of other makers do not.
-    bool canDrive() const;
-    bool hasSeveralAxes() const;
+    bool canDrive() const { return m_arming.canDrive(); }
+    bool hasSeveralAxes() const { return m_axes.areSeveral(); }
     /// Which mean what moves; the device's, or that of a board without a profile.
-    std::vector<devices::AxisSpec> axes() const;
+    std::vector<devices::AxisSpec> axes() const { return m_axes.all(); }
     /// The axis that set-point, jog and reference move; the others hold. Positions below are in its unit.
-    const devices::AxisSpec& axis() const { return m_axis; }
+    const devices::AxisSpec& axis() const { return m_axes.chosen(); }
     /// Ignored while a motion runs: it would go on unseen.
     void chooseAxis(const std::string& id);
     bool canChooseAxis() const { return !isRunning() && !isJogging() && !isPending(); }
-    bool isArmed() const;
-    bool isStopped() const;  ///< a stop or a fault is latched
-    bool canRelease() const; ///< and it is no longer too early
+    bool isArmed() const { return m_arming.isArmed(); }
+    /// A stop or a fault is latched.
+    bool isStopped() const { return m_arming.isStopped(); }
+    /// And it is no longer too early.
+    bool canRelease() const { return m_arming.canRelease(); }
     /// A device is there to be armed, no stop is latched or was released a moment ago, nothing is on its way.
-    bool canArm() const;
-    bool canDisarm() const;
+    bool canArm() const { return m_arming.canArm(); }
+    bool canDisarm() const { return m_arming.canDisarm(); }
     /// Armed, free, in a mode that drives, and neither an arm nor a mode is still on its way to the board.
     bool canMove() const;
-    bool isPending() const { return m_pending != 0; }
+    bool isPending() const { return m_commands.isPending(); }
     /// Certain that nothing is armed or on its way to be: there is no device, or one that says so in values
     /// that are not old, and neither a procedure nor an order from here could change it.
-    bool isNothingToStop() const;
+    bool isNothingToStop() const { return m_arming.isNothingToStop(); }
     /// A device that is not simulated asks once per connection before it is armed the first time.
-    bool needsConsent() const;
+    bool needsConsent() const { return m_arming.needsConsent(); }
     /// Several places can ask; one answer, or nothing to arm any more, ends the question everywhere.
-    void askConsent() { m_isAsking = true; }
-    void giveConsent();
-    void dismissConsent();
+    void askConsent() { m_arming.askConsent(); }
+    void giveConsent() { m_arming.giveConsent(); }
+    void dismissConsent() { m_arming.settleConsent(); }
 
     void arm(); ///< refused without consent
     void disarm();
     /// Releases the latched stop; arming is another act.
-    void releaseStop();
+    void releaseStop() { m_arming.releaseStop(); }
 
     /// What the board was told last; it stays when it cannot be told another.
-    devices::BoardMode mode() const { return m_mode; }
+    devices::BoardMode mode() const { return m_axes.mode(); }
     /// At once; while armed with the set-point at zero and the angle counted from where the rotor is.
     void setMode(devices::BoardMode mode);
     /// rad, added to where the mode was entered and to what a reference holds; or A, by mode.
-    double setpoint() const { return m_setpoint; }
+    double setpoint() const { return m_axes.motion().setpoint; }
     /// Where it goes: another than setpoint() while a ramp is on its way.
-    double goal() const;
+    double goal() const { return m_setpoints.goal(); }
     /// A way that is no leap is a step. A longer one is an even ramp of the board with this speed; refused
     /// while a reference runs and where the board makes no ramp that begins where it stands.
     void setSetpoint(double value, double ramp_rad_s);
-    static constexpr double LargestStep_deg = 30.0; ///< of an axis that turns for ever
-    double largestStep() const;                     ///< in the unit of the axis
+    static constexpr double LargestStep_deg = SetpointMotion::LargestStep_deg;
+    /// In the unit of the axis.
+    double largestStep() const { return m_setpoints.largestStep(); }
     /// Position mode: too far for a step.
-    bool isLeap(double value) const;
+    bool isLeap(double value) const { return m_setpoints.isLeap(value); }
     /// What keeps set-point and held angle together inside the board's excursion window; nothing in other
     /// modes and while the window is off.
-    std::optional<std::pair<double, double>> setpointRange_rad(double share_ratio = 1.0) const;
+    std::optional<std::pair<double, double>> setpointRange_rad(double share_ratio = 1.0) const {
+        return m_axes.setpointRange(share_ratio);
+    }
     /// Angle at which a reference stands or is held, beside the set-point.
-    double held_rad() const { return m_reference.angle_rad(); }
+    double held_rad() const { return m_axes.motion().reference.angle_rad(); }
     /// Angle from which the position mode counts; nothing before it was seen.
-    std::optional<double> origin_rad() const { return m_origin_rad; }
+    std::optional<double> origin_rad() const { return m_axes.motion().origin; }
     /// It was taken when a mode was chosen while armed, not by arming.
     bool isOriginOfMode() const { return m_isOriginOfMode; }
     /// Armed, but no sample has told yet where the rotor stands: until then nothing moves from here.
-    bool awaitsOrigin() const { return m_awaitsOrigin; }
+    bool awaitsOrigin() const { return m_axes.awaitsOrigin(); }
     /// How far the rotor is from there, as the board's excursion window counts; 0 while that is not known.
-    double excursion_rad() const;
+    double excursion_rad() const { return isArmed() ? m_axes.excursion() : 0.0; }
 
     /// Position: a ramp of the board with `rate` rad/s, beside the set-point. Current modes: `rate` is a
     /// current in A. The board itself ends both after 0.3 s unless the hold is renewed, so that a window that
@@ -106,7 +111,7 @@ public:
     /// The board's generator runs, or has just been told to.
     bool isRunning() const { return m_reference.isRunning(); }
     /// Its shape by the board's code; 0 when that is not known.
-    std::size_t runningShape() const;
+    std::size_t runningShape() const { return m_reference.runningShape(); }
 
 Q_SIGNALS:
     void changed();
@@ -114,78 +119,21 @@ Q_SIGNALS:
     void consentSettled();
 
 private:
-    using Action = std::function<Result<void>(devices::Device&)>;
-    void run(Action action, std::function<void()> then);
-    /// The same for what decides how a motion acts: until the board has answered nothing moves from here, and
-    /// a stop that comes before its turn cancels it.
-    void change(Action action, std::function<void()> then);
-    void finish(const Result<void>& done, const std::function<void()>& then);
     void onReport();
     void onDevice();
-    void jogStep();
+    void onSamples();
     enum class OriginBy { Arming, Mode };
     void takeOrigin(OriginBy by);
-    void seekOrigin();
-    void onSamples();
-    void settleConsent();
-    bool rampsOnBoard() const;
-    std::string setpointName() const;
-    std::string generator(const char* parameter) const;
-    std::string signal(const std::string& role) const;
-    std::string parameter(const std::string& role) const;
-    void useFirstAxis();
-    void seekOtherOrigins();
-    std::vector<ParameterValue> withOthersHeld(std::vector<ParameterValue> values) const;
-    void refuseLeap();
-    void sendRamp(double value, double ramp_rad_s);
-    double reached_rad() const;
-    void followWay();
-    void leaveWay();
-    void endReference();
     void clearMotion();
-    void moveJogSetpoint();
-    void sendJog(std::vector<ParameterValue> values, double setpoint);
-    double nextJogSetpoint(double step_s) const;
-    std::optional<double> jogRoom_rad() const;
-    std::optional<std::vector<ParameterValue>> jogRamp() const;
 
     Workbench& m_bench;
-    devices::BoardMode m_mode = devices::BoardMode::Position;
-    /// A ramp of the board that carries the set-point to another one.
-    struct Way {
-        double from_rad, to_rad;
-        bool isAnswered = false; ///< by the board
-        bool isBroken = false;   ///< it ends before
-    };
-    double m_setpoint = 0.0;
-    double m_sent = 0.0; ///< of it, what the board has as its set-point; ramps have moved the rest
-    /// Motion of an axis that is not chosen.
-    struct AxisMotion {
-        double setpoint = 0.0, sent = 0.0;
-        std::optional<double> origin;
-        ReferenceHold reference;
-    };
-    devices::AxisSpec m_axis;
-    std::map<std::string, AxisMotion> m_others; ///< by axis
-    std::optional<Way> m_way;
-    std::optional<std::pair<double, double>> m_next; ///< set-point and speed, when the way has ended
-    std::optional<double> m_origin_rad;
+    DriveAxes m_axes;
+    DriveCommands m_commands;
+    DriveArming m_arming;
+    ReferenceRun m_reference;
+    SetpointMotion m_setpoints;
+    DriveJog m_jog;
     bool m_isOriginOfMode = false;
-    bool m_awaitsOrigin = false;
-    std::optional<double> m_staleSample_s; ///< the angle's last sample before: a newer one is waited for
-    ReferenceHold m_reference;
-    std::optional<double> m_startedShape;
-    bool m_hasConsent = false;
-    bool m_isAsking = false;
-    bool m_wasArmed = false;
-    bool m_isJogPending = false;
-    std::uint64_t m_changes = 0;
-    std::uint64_t m_pending = 0; ///< the newest change without an answer; they are answered in order
-    double m_jogRate = 0.0;
-    QTimer m_jog;
-    QElapsedTimer m_sinceJogStep; ///< not valid before the first
-    QElapsedTimer m_jogged;
-    std::optional<double> m_jogRoom_rad; ///< when it began; nothing without an end
 };
 
 } // namespace halbench::app

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/workbench/live_trigger.h"
-#include "app/workbench/stream_time_offsets.h"
+#include "app/workbench/signals/stream_time_offsets.h"
 
 #include <QObject>
 

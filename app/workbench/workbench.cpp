@@ -1,12 +1,13 @@
 #include "app/workbench/workbench.h"
 
+#include "app/actuators/actuator.h"
 #include "app/documents/configuration_file.h"
 #include "app/documents/result_documents.h"
 #include "app/workbench/drive_control.h"
 #include "app/workbench/piecewise_reading.h"
 #include "app/workbench/recording_trigger.h"
-#include "app/workbench/reference_mask.h"
 #include "app/workbench/shown_recording.h"
+#include "app/workbench/signals/reference_mask.h"
 #include "devices/history/page_file.h"
 
 #include <algorithm>
@@ -308,7 +309,7 @@ void Workbench::forgetDecidedDifferences() {
 void Workbench::writeValues(std::vector<ParameterValue> values, std::function<void(Result<void>)> then) {
     const auto outcome = std::make_shared<Result<void>>();
     m_session.request(
-        [values = std::move(values)](devices::Device& device) { return device.writeParameters(values); },
+        [values = std::move(values)](devices::Device& device) { return writeChosenValues(device, values); },
         [outcome](const Result<void>& written) { *outcome = written; });
     readInPieces(m_session, parameterNames(m_session.catalogue()),
                  [this, outcome, then = std::move(then)](const DeviceValues& read) {

@@ -112,7 +112,18 @@ std::size_t widthOf(const std::vector<CsvLine>& lines, const CsvAttempt& attempt
     return cells - (endEmpty ? 1 : 0);
 }
 
-bool acceptRow(CsvAttempt& attempt, const CsvLine& line, const Row& row) {
+/// "column 2" or, below a line of names, "column 2, 'state'".
+std::string columnWords(const CsvLine& names, const CsvAttempt& attempt, std::size_t column) {
+    std::string words = fmt::format("column {}", column + 1);
+    if (attempt.headers.back() != CsvHeader::None) {
+        Row row;
+        readRow(names.text, attempt, row);
+        words += column < row.cells.size() ? fmt::format(", '{}'", row.cells[column].text.substr(0, 40)) : "";
+    }
+    return words;
+}
+
+bool acceptRow(CsvAttempt& attempt, const CsvLine& names, const CsvLine& line, const Row& row) {
     const std::size_t cells = row.cells.size();
     if (row.isCut) {
         return attempt.fail(line.number, row.cells.back().column, "a quoted cell does not end as it should");
@@ -122,8 +133,11 @@ bool acceptRow(CsvAttempt& attempt, const CsvLine& line, const Row& row) {
                             fmt::format("{} cells where there are {} before", cells, attempt.width));
     }
     if (row.firstText != nullptr) {
+        const auto column = static_cast<std::size_t>(row.firstText - row.cells.data());
+        attempt.isCell = true;
         return attempt.fail(line.number, row.firstText->column,
-                            fmt::format("'{}' is not a number", row.firstText->text.substr(0, 40)));
+                            fmt::format("'{}' is not a number ({})", row.firstText->text.substr(0, 40),
+                                        columnWords(names, attempt, column)));
     }
     return true;
 }
@@ -148,7 +162,7 @@ bool tryToRead(CsvAttempt& attempt, const std::vector<CsvLine>& lines, const Csv
     bool hasGroups = false;
     for (std::size_t i = dataBegin; i < lines.size(); ++i) {
         readRow(lines[i].text, attempt, row);
-        if (!acceptRow(attempt, lines[i], row)) {
+        if (!acceptRow(attempt, lines.front(), lines[i], row)) {
             return false;
         }
         for (std::size_t cell = 0; cell < attempt.width; ++cell) {

@@ -19,6 +19,7 @@ struct CsvAttempt {
     std::string sample;               ///< one row as it is read
     std::size_t line = 0, column = 0; ///< where it failed, or of the first grouped cell
     std::string problem;
+    bool isCell = false; ///< the problem is that of one cell
 
     bool fail(std::size_t atLine, std::size_t atColumn, std::string what) {
         line = atLine;

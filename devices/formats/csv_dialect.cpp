@@ -153,8 +153,11 @@ tl::unexpected<Error> wrongAt(const std::string& origin, const CsvAttempt& attem
     return failure(
         ErrorCode::InvalidInput,
         fmt::format("{}:{}:{}: {}", origin, attempt.line, attempt.column, attempt.problem),
-        attempt.group != 0
-            ? "write numbers without thousands separators"
+        attempt.group != 0 ? "write numbers without thousands separators"
+        : attempt.isCell
+            ? "write a number, or leave the cell empty where a value is missing; remove a column of words; "
+              "or "
+              "set the format with --separator, --decimal and --header"
             : "a table has rows of equal length, up to two lines of names and units above, and comments "
               "beginning with #; set the format with --separator, --decimal and --header");
 }

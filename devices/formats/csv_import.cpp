@@ -124,8 +124,14 @@ tl::unexpected<Error> RowReader::wrongCell(const CsvLine& line, const CsvCell& c
                            "write numbers without thousands separators");
         }
     }
-    return wrongAt(line, cell.column, fmt::format("'{}' is not a number", text),
-                   fmt::format("write numbers like -1{}5e-3, or set --decimal", m_plan.dialect->decimal));
+    const auto column = static_cast<std::size_t>(&cell - m_cells.data());
+    return wrongAt(
+        line, cell.column,
+        fmt::format("'{}' is not a number (column {}, '{}')", text, column + 1,
+                    m_plan.columns[column].header),
+        fmt::format("write numbers like -1{}5e-3, leave the cell empty where a value is missing, or "
+                    "set --decimal",
+                    m_plan.dialect->decimal));
 }
 
 Result<void> RowReader::readCells(const CsvLine& line) {
@@ -162,7 +168,9 @@ Result<void> RowReader::appendTime(const CsvLine& line, CsvImport& import) const
     const CsvColumn& column = m_plan.columns[*m_plan.time];
     const double time_s = column.inSi(m_values[*m_plan.time]);
     if (!std::isfinite(time_s)) {
-        return wrongAt(line, 1, "the time is missing", "remove the row, or give --rate_Hz instead");
+        return wrongAt(line, m_cells[*m_plan.time].column,
+                       fmt::format("the time is missing (column {}, '{}')", *m_plan.time + 1, column.header),
+                       "remove the row, or give --rate_Hz instead");
     }
     if (!times.empty() && time_s <= times.back()) {
         return wrongAt(line, 1,
@@ -186,7 +194,10 @@ Result<void> RowReader::read(const CsvLine& line, CsvImport& import) {
         if (m_plan.time != i) {
             const CsvColumn& column = m_plan.columns[i];
             const double value = column.inSi(m_values[i]);
-            import.missing += std::isfinite(value) ? 0 : 1;
+            if (!std::isfinite(value) && import.missing++ == 0) {
+                import.firstMissing =
+                    fmt::format("line {}, column {}, '{}'", line.number, i + 1, column.header);
+            }
             import.recording.values.push_back(
                 std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN());
         }

@@ -32,6 +32,7 @@ Result<CsvPlan> planCsvImport(std::string_view text, const std::string& origin,
 struct CsvImport {
     Recording recording;
     std::uint64_t missing = 0;   ///< cells without a number: NaN
+    std::string firstMissing;    ///< "line 3, column 2, 'angle'"; empty: none
     double shortestStep_s = 0.0; ///< of the time axis
     double longestStep_s = 0.0;
     bool isUniform = true; ///< no step is more than 1 % off the median

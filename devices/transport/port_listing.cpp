@@ -17,6 +17,10 @@ namespace halbench::devices {
 
 namespace {
 
+/// Terminals of the screen and the like: dozens, none of them at a bus, each a walk through the system's
+/// files.
+constexpr const char* VirtualDevices = "/sys/devices/virtual/";
+
 std::string words(const char* text) {
     return text == nullptr ? std::string() : std::string(text);
 }
@@ -44,8 +48,11 @@ void forEach(udev* context, const char* subsystem, const std::function<void(udev
     }
     udev_list_entry* entry = nullptr;
     udev_list_entry_foreach(entry, udev_enumerate_get_list_entry(list.get())) {
-        const UdevHandle<udev_device> device(
-            udev_device_new_from_syspath(context, udev_list_entry_get_name(entry)));
+        const std::string path = words(udev_list_entry_get_name(entry));
+        if (path.starts_with(VirtualDevices)) {
+            continue;
+        }
+        const UdevHandle<udev_device> device(udev_device_new_from_syspath(context, path.c_str()));
         if (device) {
             take(device.get());
         }

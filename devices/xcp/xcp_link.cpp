@@ -373,16 +373,11 @@ void XcpLink::noteRoundTrip(double duration_s) {
     if (m_roundTrips_s.size() > RoundTripsKept) {
         m_roundTrips_s.pop_front();
     }
-}
-
-double XcpLink::roundTripMedian_s() const {
-    if (m_roundTrips_s.empty()) {
-        return 0.0;
-    }
+    // Here, at each command; it is asked for with each packet of a stream.
     std::vector<double> sorted(m_roundTrips_s.begin(), m_roundTrips_s.end());
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
-    return *middle;
+    m_medianRoundTrip_s = *middle;
 }
 
 } // namespace halbench::devices::xcp

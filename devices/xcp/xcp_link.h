@@ -107,7 +107,7 @@ public:
         double answered_s = 0.0;
     };
     const Exchange& lastExchange() const { return m_lastExchange; }
-    double roundTripMedian_s() const;
+    double roundTripMedian_s() const { return m_medianRoundTrip_s; }
     double roundTripWorst_s() const { return m_worstRoundTrip_s; }
 
 private:
@@ -146,6 +146,7 @@ private:
     std::uint64_t m_repeated = 0;
     Exchange m_lastExchange;
     std::deque<double> m_roundTrips_s;
+    double m_medianRoundTrip_s = 0.0;
     double m_worstRoundTrip_s = 0.0;
 };
 

@@ -51,6 +51,19 @@ Eigen::Matrix3d skewBasis(int component) {
 
 } // namespace
 
+bool CalibrationSelection::hasReading(CalibrationKind kind, int sensor, int component) const {
+    const auto first = static_cast<std::size_t>(3 * sensor);
+    if (kind == CalibrationKind::Gain || kind == CalibrationKind::Offset || kind == CalibrationKind::Coil) {
+        return channels[first + static_cast<std::size_t>(component)];
+    }
+    if (kind == CalibrationKind::Skew) { // between two channels; of one alone it is a turn of the frame
+        const auto other = static_cast<std::size_t>(2 - component);
+        const auto without = [&](std::size_t k) { return k == other || channels[first + k]; };
+        return without(0) && without(1) && without(2);
+    }
+    return channels[first] || channels[first + 1] || channels[first + 2];
+}
+
 std::vector<CalibrationUnknown> calibrationUnknowns(const CalibrationSelection& selection,
                                                     const SphericalCalibration& nominal) {
     std::vector<CalibrationUnknown> unknowns;
@@ -80,6 +93,9 @@ std::vector<CalibrationUnknown> calibrationUnknowns(const CalibrationSelection& 
     for (int sensor = 0; sensor < 3; ++sensor) {
         for (const PerSensor& part : parts) {
             for (int k = 0; part.isFitted && k < part.components; ++k) {
+                if (!selection.hasReading(part.kind, sensor, k)) {
+                    continue;
+                }
                 unknowns.push_back(
                     {part.kind, sensor, k, part.plausible,
                      fmt::format(fmt::runtime(part.name), part.parts[static_cast<std::size_t>(k)], sensor)});

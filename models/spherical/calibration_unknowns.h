@@ -31,6 +31,11 @@ struct CalibrationSelection {
     bool directions = false;
     bool drift = false;
     bool coil = false;
+    /// Channels that were read at all: of the others gain, skews, offset and coil field keep their nominal
+    /// values, of a sensor without any also frame and place.
+    ChannelMask channels = AllChannels;
+
+    bool hasReading(CalibrationKind kind, int sensor, int component) const;
 };
 
 /// One unknown: which, and how large an error of it is plausible. The latter is the unit in which the

@@ -11,6 +11,10 @@ namespace {
 
 /// A tensor weaker than this share of the known one has no field to orient by.
 constexpr double LeastStrength_ratio = 0.05;
+/// A further pass moves a settled estimate by less; four passes leave 1e-6 with weak harmonics.
+constexpr double SettledStep_rad = 1e-3;
+/// Harmonics that turn the estimate by less have no second pose: those of preset H1 turn it by 1.1 degrees.
+constexpr double SmallCorrection_rad = 0.05;
 /// Three unknowns and one channel to test them.
 constexpr int LeastChannels = 4;
 
@@ -109,6 +113,21 @@ OrientationEstimate OrientationEstimator::byTensor(const TensorSystem& system,
     return estimate;
 }
 
+bool OrientationEstimator::hasSettled(const TensorSystem& system, const SphericalReadings& readings_T,
+                                      const OrientationEstimate& estimate) const {
+    double strength_T = 0.0;
+    const double scale = harmonicScale(estimate.strength_T);
+    const SphericalReadings harmonic_T =
+        scale * m_field.harmonicReadings_T(estimate.rotation, m_sensing.poses);
+    const Eigen::Matrix3d next = onePass(system, readings_T - harmonic_T, strength_T);
+    if (symmetricError_rad(next, estimate.rotation) > SettledStep_rad) {
+        return false;
+    }
+    return system.chiSquare(estimate.residual_T) <= m_config.chiSquareLimit ||
+           symmetricError_rad(onePass(system, readings_T, strength_T), estimate.rotation) <
+               SmallCorrection_rad;
+}
+
 OrientationEstimate OrientationEstimator::byFit(const TensorSystem& system,
                                                 const SphericalReadings& readings_T) const {
     const bool isWhole = system.isDetermined();
@@ -166,6 +185,10 @@ OrientationEstimate OrientationEstimator::estimate(const SphericalReadings& read
     }
     const bool isFit = m_config.method == OrientationMethod::LevenbergMarquardt || !masked.isDetermined();
     estimate = isFit ? byFit(masked, present_T) : byTensor(masked, present_T);
+    if (!isFit && m_config.harmonicPasses > 0 && m_field.hasHarmonics() &&
+        !hasSettled(masked, present_T, estimate)) {
+        estimate = byFit(masked, present_T);
+    }
     estimate.uniformField_T = masked.uniformField_T(estimate.residual_T);
     for (int i = 0; i < ChannelCount; ++i) {
         estimate.residual_T[i] = used[static_cast<std::size_t>(i)] ? estimate.residual_T[i] : 0.0;

@@ -39,8 +39,11 @@ struct OrientationEstimate {
 
 struct OrientationConfig {
     OrientationMethod method = OrientationMethod::TensorRefined;
-    int harmonicPasses = 0; ///< tensor methods: harmonics predicted and subtracted this often
-    /// LM: accepted up to this chi-square. 1e-9 of healthy readings exceed it (5 degrees of freedom).
+    /// Tensor methods: harmonics predicted and subtracted this often. Where that does not settle, or the
+    /// result is far from the uncorrected one and does not explain the readings, the rotation fit decides.
+    int harmonicPasses = 0;
+    /// Rotation fit: accepted up to this chi-square. 1e-9 of healthy readings exceed it (5 degrees of
+    /// freedom).
     double chiSquareLimit = 50.2;
     /// A pose is possible up to this many times that limit. Above 1 for sensors whose gains, offsets and
     /// places are not exact: 1 + (their error / noise)^2.
@@ -76,6 +79,8 @@ private:
     Eigen::Matrix3d onePass(const TensorSystem& system, const SphericalReadings& readings_T,
                             double& strength_T) const;
     double harmonicScale(double strength_T) const;
+    bool hasSettled(const TensorSystem& system, const SphericalReadings& readings_T,
+                    const OrientationEstimate& estimate) const;
     OrientationEstimate byTensor(const TensorSystem& system, const SphericalReadings& readings_T) const;
     OrientationEstimate byFit(const TensorSystem& system, const SphericalReadings& readings_T) const;
 

@@ -3,6 +3,8 @@
 #include "control/base/units.h"
 #include "models/spherical/orientation.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/LU>
 #include <cmath>
 
@@ -71,8 +73,12 @@ Result<void> checkSensorPoses(const SensorPoses& poses, double rotorRadius_m) {
             return failure(ErrorCode::NotFinite, "The pose of a field sensor is not a finite number.");
         }
         if (pose.position_m.norm() <= rotorRadius_m) {
-            return failure(ErrorCode::OutOfRange, "A field sensor lies inside the rotor.",
-                           "Place it outside the rotor's outer radius.");
+            return failure(
+                ErrorCode::OutOfRange,
+                fmt::format(
+                    "Sensor {} lies inside the rotor: {:.4g} mm from its centre, the rotor has {:.4g} mm.", i,
+                    1e3 * pose.position_m.norm(), 1e3 * rotorRadius_m),
+                "Place it outside the rotor's outer radius.");
         }
         const bool hasUnitAxes = (pose.axes.colwise().norm().array() - 1.0).abs().maxCoeff() < 1e-6;
         if (!hasUnitAxes || std::abs(pose.axes.determinant()) < LeastVolume) {
@@ -81,7 +87,8 @@ Result<void> checkSensorPoses(const SensorPoses& poses, double rotorRadius_m) {
         }
         for (std::size_t other = 0; other < i; ++other) {
             if ((pose.position_m - poses[other].position_m).norm() < LeastDistance_m) {
-                return failure(ErrorCode::OutOfRange, "Two field sensors lie at the same place.",
+                return failure(ErrorCode::OutOfRange,
+                               fmt::format("Sensors {} and {} lie at the same place.", other, i),
                                "Each of the three sensors needs a place of its own.");
             }
         }

@@ -57,7 +57,7 @@ MAY_INCLUDE = {
     "app/cli": "control/base, design, signals; devices; devices/recording, acquisition, formats, open; "
                "app/procedures, actuators, analyses, documents, recordings, tuning, figures, headless, experiments",
     "app/workbench": "control/base, signals, history; devices; devices/recording, acquisition, formats, history; "
-                     "widgets/language, controls, figure; app/procedures, session, documents, recordings",
+                     "widgets/language, controls, figure; app/procedures, actuators, session, documents, recordings",
     "app/workspaces": "control/base, analysis, law, design, signals, history; devices; devices/recording, acquisition, formats, open; "
                       "widgets/theme, language, raster, controls, log, parameters, figure, live_plot, spectrogram, actuators; "
                       "app/procedures, documents, recordings, tuning, figures, workbench",

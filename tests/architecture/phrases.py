@@ -18,7 +18,7 @@ TABLES = {
     "tuning": ("app/procedures/apply/", "app/procedures/tune/"),
     "procedures": ("app/procedures/",),
     "actuators": ("app/actuators/",),
-    "files": ("app/documents/text/config_node.cpp", "app/documents/frequency_file.cpp", "app/tuning/gains_judgement.cpp", "app/documents/configuration_", "app/documents/document_units.cpp", "app/documents/identification_file.cpp", "app/documents/import_documents.cpp", "app/documents/text/json_parser.cpp",
+    "files": ("app/documents/text/config_node.cpp", "app/documents/axes_frequency_file.cpp", "app/documents/frequency_file.cpp", "app/tuning/gains_judgement.cpp", "app/documents/configuration_", "app/documents/document_units.cpp", "app/documents/document_limits.cpp", "app/documents/identification_file.cpp", "app/documents/import_documents.cpp", "app/documents/text/json_parser.cpp",
               "app/documents/text/json_value.cpp", "app/documents/model_file.cpp", "app/documents/text/output_file.cpp",
               "app/documents/presets.cpp", "app/recordings/recording_list.cpp", "app/recordings/recording_name.cpp",
               "app/recordings/recording_retention.cpp", "app/recordings/sidecar_change.cpp", "app/documents/result_header.cpp", "app/recordings/run_comparison.cpp",

@@ -93,19 +93,22 @@ void StatusStrip::setState(WorkState state, const QString& detail) {
 
 void StatusStrip::setFaultLatched(bool isLatched) {
     const int period_ms = QGuiApplication::styleHints()->cursorFlashTime();
-    if (!isLatched || period_ms <= 0) {
+    const bool isBlinking = isLatched && period_ms > 0;
+    if (isBlinking && !m_blink.isActive()) {
+        m_blink.start(period_ms); // shown and hidden for a cursor's whole period: half as fast as it blinks
+    } else if (!isBlinking && m_blink.isActive()) {
         m_blink.stop();
         m_isSymbolShown = true;
-    } else if (!m_blink.isActive()) {
-        m_blink.start(period_ms); // shown and hidden for a cursor's whole period: half as fast as it blinks
+        refreshSymbol();
     }
-    refreshSymbol();
 }
 
 void StatusStrip::setDevice(const QString& name, SourceKind kind) {
-    m_device = name;
-    m_kind = kind;
-    refresh();
+    if (name != m_device || kind != m_kind) {
+        m_device = name;
+        m_kind = kind;
+        refresh();
+    }
 }
 
 void StatusStrip::clearDevice() {

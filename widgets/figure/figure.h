@@ -13,6 +13,7 @@ enum class CurveStyle {
     Line,
     DashedLine,
     DottedLine,
+    DashDotLine,
     Points,
     HollowPoints,
     Crosses,

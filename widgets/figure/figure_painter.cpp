@@ -35,9 +35,10 @@ constexpr double RightTitle_px = 10.0;    ///< from the right one
 
 QPen curvePen(CurveStyle style, const QColor& colour) {
     QPen pen(colour, isMarkers(style) ? 1.2 : CurveWidth_px);
-    pen.setStyle(style == CurveStyle::DashedLine   ? Qt::DashLine
-                 : style == CurveStyle::DottedLine ? Qt::DotLine
-                                                   : Qt::SolidLine);
+    pen.setStyle(style == CurveStyle::DashedLine    ? Qt::DashLine
+                 : style == CurveStyle::DottedLine  ? Qt::DotLine
+                 : style == CurveStyle::DashDotLine ? Qt::DashDotLine
+                                                    : Qt::SolidLine);
     pen.setJoinStyle(Qt::RoundJoin);
     return pen;
 }

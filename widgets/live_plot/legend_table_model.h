@@ -37,6 +37,8 @@ public:
     void setNumbers(const std::vector<LegendNumbers>& numbers);
     /// The widest text a column can be expected to show, for its width.
     QString widestText(int row, Column column) const;
+    /// Before the decimal point; when it grows, columns ask for more room.
+    int digits() const { return m_digits; }
     bool isShown(int row) const { return m_curves[static_cast<std::size_t>(row)]->isVisible(); }
     const PlotCurve& curve(int row) const { return item(row).curve(); }
     const HistoryCurve& item(int row) const { return *m_curves[static_cast<std::size_t>(row)]; }

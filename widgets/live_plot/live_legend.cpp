@@ -8,6 +8,7 @@
 #include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QItemSelection>
 #include <QKeyEvent>
 #include <QKeySequence>
 #include <QMenu>
@@ -59,6 +60,7 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     horizontalHeader()->setMinimumSectionSize(8);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setTextElideMode(Qt::ElideRight); // a narrow name's column says so
+    connect(horizontalHeader(), &QHeaderView::sectionResized, this, &LiveLegend::drop);
     setCursorColumnsShown(false, false);
     setAccessibleName(tr("Legend with live values"));
     setAccessibleDescription(
@@ -73,15 +75,67 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
 void LiveLegend::setTheme(const Theme& theme) {
     m_table.setTheme(theme);
     m_theme = theme;
+    drop();
     viewport()->update();
 }
 
 /// The sheet leaves the ground to the legend: in a plot the curves shine through it.
 void LiveLegend::paintEvent(QPaintEvent* event) {
+    if (!m_picture.isNull() && !m_isKeeping) {
+        QPainter(viewport()).drawPixmap(0, 0, m_picture);
+        return;
+    }
     QColor ground = m_isInside ? m_theme.plotBackground : m_theme.panel;
     ground.setAlpha(m_isInside ? InsideAlpha : 255);
     QPainter(viewport()).fillRect(event->rect(), ground);
     QTableView::paintEvent(event);
+}
+
+void LiveLegend::keepPicture() {
+    if (!m_isInside || !m_picture.isNull() || !isVisible()) {
+        return;
+    }
+    const double ratio = devicePixelRatioF();
+    QPixmap picture(viewport()->size() * ratio);
+    picture.setDevicePixelRatio(ratio);
+    picture.fill(Qt::transparent);
+    m_isKeeping = true;
+    viewport()->render(&picture, QPoint(), QRegion(), QWidget::RenderFlags());
+    m_isKeeping = false;
+    m_picture = picture;
+}
+
+/// Whatever happens to the view but painting may change how it looks.
+bool LiveLegend::viewportEvent(QEvent* event) {
+    if (event->type() != QEvent::Paint) {
+        drop();
+    }
+    return QTableView::viewportEvent(event);
+}
+
+void LiveLegend::dataChanged(const QModelIndex& from, const QModelIndex& to, const QVector<int>& roles) {
+    drop();
+    QTableView::dataChanged(from, to, roles);
+}
+
+void LiveLegend::reset() {
+    drop();
+    QTableView::reset();
+}
+
+void LiveLegend::scrollContentsBy(int dx, int dy) {
+    drop();
+    QTableView::scrollContentsBy(dx, dy);
+}
+
+void LiveLegend::selectionChanged(const QItemSelection& chosen, const QItemSelection& before) {
+    drop();
+    QTableView::selectionChanged(chosen, before);
+}
+
+void LiveLegend::currentChanged(const QModelIndex& now, const QModelIndex& before) {
+    drop();
+    QTableView::currentChanged(now, before);
 }
 
 void LiveLegend::setCursorColumnsShown(bool areShown, bool hasHeader) {
@@ -144,6 +198,7 @@ void LiveLegend::setWidths(const Widths& widths, int total_px) {
 void LiveLegend::setBelow(bool isBelow) {
     m_isBelow = isBelow;
     if (isBelow && std::exchange(m_isInside, false)) {
+        drop();
         viewport()->update();
     }
     const int height_px = wantedHeight(std::clamp(m_table.rowCount(), 1, MostRowsBelow));
@@ -158,6 +213,7 @@ int LiveLegend::wantedHeight(int rows) const {
 
 void LiveLegend::setInside(const QRect& canvas, int width_px) {
     if (!std::exchange(m_isInside, true)) {
+        drop();
         viewport()->update();
     }
     int rows = m_table.rowCount(); // whole ones; further ones are scrolled to
@@ -210,6 +266,9 @@ bool LiveLegend::run(const QKeySequence& keys) {
 }
 
 bool LiveLegend::event(QEvent* event) {
+    if (event->type() != QEvent::Paint) {
+        drop(); // focus, style, font, size
+    }
     if (event->type() == QEvent::ShortcutOverride) { // they are the stack's elsewhere, as Space is its pause
         const auto* press = static_cast<QKeyEvent*>(event);
         const int key = press->key();

@@ -2,6 +2,7 @@
 
 #include "widgets/live_plot/legend_table_model.h"
 
+#include <QPixmap>
 #include <QTableView>
 
 #include <array>
@@ -40,6 +41,9 @@ public:
     /// Inside its plot it stands over the canvas, as high as its curves need and the canvas has; the curves
     /// shine through.
     void setInside(const QRect& canvas, int width_px);
+    /// At each frame: keeps what a legend in its plot looks like, for all paint events until it looks
+    /// different. The canvas below it is drawn anew thirty times a second, its numbers change ten times.
+    void keepPicture();
 
 Q_SIGNALS:
     void toggleRequested(int curve);
@@ -56,7 +60,13 @@ Q_SIGNALS:
 
 protected:
     bool event(QEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void dataChanged(const QModelIndex& from, const QModelIndex& to, const QVector<int>& roles) override;
+    void reset() override;
+    void scrollContentsBy(int dx, int dy) override;
+    void selectionChanged(const QItemSelection& chosen, const QItemSelection& before) override;
+    void currentChanged(const QModelIndex& now, const QModelIndex& before) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
@@ -69,11 +79,14 @@ private:
     QAction* addKey(QMenu& menu, const QString& text, const QKeySequence& keys);
 
     int wantedHeight(int rows) const;
+    void drop() { m_picture = QPixmap(); }
 
     LegendTableModel m_table;
     Theme m_theme;
     bool m_isBelow = false;
     bool m_isInside = false;
+    QPixmap m_picture; ///< null: out of date
+    bool m_isKeeping = false;
 };
 
 } // namespace halbench::widgets

@@ -65,6 +65,8 @@ LivePlot::LivePlot(QWidget* parent)
     plotLayout()->setAlignCanvasToScales(true);
     setAutoReplot(false);
     enableAxis(xBottom, false); // the stack has one time axis for all
+    // Labels are measured at each new division, seen or not.
+    axisScaleDraw(xBottom)->enableComponent(QwtAbstractScaleDraw::Labels, false);
     setAxisScaleDraw(yLeft, m_valueScale);
     axisWidget(yLeft)->setMargin(0);
     setAxisScaleDraw(yRight, m_rightScale);

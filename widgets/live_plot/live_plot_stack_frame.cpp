@@ -31,8 +31,11 @@ constexpr std::array<TitleForm, 6> TitleForms{
 } // namespace
 
 void LivePlotStack::refresh() {
+    if (window()->isMinimized()) {
+        return; // the owner takes in what arrives at a pace of its own
+    }
     Q_EMIT frameStarting();
-    if (!isVisible() || window()->isMinimized()) {
+    if (!isVisible()) {
         return;
     }
     const std::optional<std::uint64_t> revision =
@@ -48,20 +51,23 @@ void LivePlotStack::refresh() {
     } else {
         updateViews();
     }
-    const auto legendWidths = [this] {
-        std::vector<LiveLegend::Widths> widths;
+    const auto legendDigits = [this] {
+        std::vector<int> digits;
         for (const Row& row : m_rows) {
-            widths.push_back(row.legend->neededWidths());
+            digits.push_back(row.legend->table().digits());
         }
-        return widths;
+        return digits;
     };
     bool areWider = false;
     if (m_isDirty || !m_areNumbersWhole || ++m_framesSinceNumbers >= FramesPerNumber) {
-        const std::vector<LiveLegend::Widths> before = legendWidths();
+        const std::vector<int> before = legendDigits();
         m_framesSinceNumbers = 0;
         m_areNumbersWhole = showNumbers();
         showState();
-        areWider = legendWidths() != before;
+        areWider = legendDigits() != before;
+    }
+    for (const Row& row : m_rows) {
+        row.legend->keepPicture();
     }
     m_drawnRevision = revision;
     m_isDirty = areWider; // the next frame gives them the room

@@ -47,6 +47,9 @@ QAction* addChoice(QMenu& menu, QActionGroup& group, const QString& text, bool i
     action->setCheckable(true);
     action->setChecked(isChosen);
     group.addAction(action);
+    if (isChosen) {
+        menu.setDefaultAction(action); // in bold: beside an icon the style draws no mark
+    }
     return action;
 }
 

@@ -39,6 +39,16 @@ const Actuator& actuatorOf(std::string_view model) {
     return found == rows.end() ? rows.front() : *found;
 }
 
+Result<void> writeChosenValues(devices::Device& device, std::span<const ParameterValue> values) {
+    const Actuator& actuator = actuatorOf(device.info().model);
+    if (actuator.checkTogether != nullptr) {
+        if (auto checked = actuator.checkTogether(device, values); !checked) {
+            return checked;
+        }
+    }
+    return device.writeParameters(values);
+}
+
 MotionNeedsFunction motionNeedsOf(std::string_view model) {
     return model == sensingActuator().model ? sensingNeeds : nullptr;
 }

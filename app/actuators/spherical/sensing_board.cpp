@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -112,6 +113,33 @@ SensingBoard notedSensingBoard(const std::vector<ParameterValue>& noted) {
 Result<SensingBoard> readSensingBoard(devices::Device& device) {
     const auto values = device.readParameters(sensingParameters());
     return values ? Result<SensingBoard>(sensingBoard(*values)) : failure(values.error());
+}
+
+Result<void> checkSensorPlaces(devices::Device& device, std::span<const ParameterValue> values) {
+    const std::vector<std::string> names = sensingParameters();
+    const auto isPlace = [&names](const ParameterValue& value) {
+        const auto end = names.begin() + Sensors * static_cast<std::ptrdiff_t>(Places.size());
+        return std::find(names.begin(), end, value.name) != end || value.name == "sensor.frames";
+    };
+    if (std::none_of(values.begin(), values.end(), isPlace)) {
+        return {};
+    }
+    auto board = device.readParameters(names);
+    if (!board) {
+        return failure(board.error());
+    }
+    for (const ParameterValue& value : values) {
+        const auto found = std::find(names.begin(), names.end(), value.name);
+        if (found != names.end()) {
+            (*board)[static_cast<std::size_t>(found - names.begin())] = value.value;
+        }
+    }
+    models::SensorPoses poses;
+    const SensingBoard changed = sensingBoard(*board);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+        poses[i] = changed.calibration.sensors[i].pose;
+    }
+    return models::checkSensorPoses(poses, 0.0); // the board does not know the rotor's radius
 }
 
 std::vector<std::string> fieldSignals() {

@@ -4,6 +4,7 @@
 #include "devices/device.h"
 #include "models/spherical/spherical_calibration.h"
 
+#include <span>
 #include <vector>
 
 namespace halbench::app {
@@ -26,6 +27,10 @@ Result<SensingBoard> readSensingBoard(devices::Device& device);
 SensingBoard sensingBoard(const std::vector<double>& values);
 /// From values that a recording notes; the published device where it is silent.
 SensingBoard notedSensingBoard(const std::vector<ParameterValue>& noted);
+
+/// With these values in place of the device's own: no two sensors at one place. Errors: OutOfRange, naming
+/// them; of the device.
+Result<void> checkSensorPlaces(devices::Device& device, std::span<const ParameterValue> values);
 
 /// Names of the nine field signals, R, Theta, Phi of sensor 0, 1, 2.
 std::vector<std::string> fieldSignals();

@@ -1,6 +1,7 @@
 #include "app/actuators/spherical/sensing_fit.h"
 
 #include "app/actuators/spherical/missing_orientations.h"
+#include "app/actuators/spherical/sensing_signs.h"
 #include "control/base/units.h"
 #include "models/spherical/calibration_fit.h"
 #include "models/spherical/calibration_remainder.h"
@@ -163,6 +164,12 @@ double errorAfter_rad(const models::CalibrationFit& fit, const models::Remaining
     return std::sqrt(sum / static_cast<double>(fit.rotation.size()));
 }
 
+/// Values fitted to such readings would mean nothing.
+bool preventsFit(const Finding& finding) {
+    return finding.code == "sensor_missing" || finding.code == "readings_reversed" ||
+           finding.code == "references_do_not_fit";
+}
+
 void judge(CalibrateResult& result, const models::CalibrationFit& fit, double noise_T) {
     for (const models::CalibratedValue& value : fit.values) {
         if (value.unknown.kind == CalibrationKind::Gain &&
@@ -211,6 +218,32 @@ void judgeMotion(CalibrateResult& result, const SensedMotion& motion, const Cali
     }
 }
 
+/// Channels that never read anything; a sensor without any cannot be calibrated.
+void judgeChannels(CalibrateResult& result, const models::ChannelMask& channels) {
+    const std::vector<std::string> names = fieldSignals();
+    std::string silent;
+    std::string sensors;
+    for (std::size_t i = 0; i < 3; ++i) {
+        int missing = 0;
+        for (std::size_t c = 3 * i; c < 3 * i + 3; ++c) {
+            missing += !channels[c];
+            silent += channels[c] ? "" : (silent.empty() ? "" : ", ") + names[c];
+        }
+        if (missing == 3) {
+            sensors += fmt::format("{}{}", sensors.empty() ? "" : ", ", i);
+        }
+    }
+    if (!sensors.empty()) {
+        note(result, Verdict::Refused, "sensor_missing",
+             fmt::format("sensor {} gave no reading in the whole record", sensors),
+             "Connect it, or check channels.off and its range: the calibration needs all three sensors.");
+    } else if (!silent.empty()) {
+        note(result, Verdict::Doubtful, "channel_left_out",
+             fmt::format("{} gave no reading: its gain and offset keep their values", silent),
+             "Leave it out with channels.off, or repair it and calibrate again.");
+    }
+}
+
 void refuse(CalibrateResult& result, const Error& error, const SensedMotion& motion,
             const SensingBoard& board, const models::CalibrationConfig& config) {
     note(result, Verdict::Refused, "not_determined", error.message, error.hint);
@@ -243,6 +276,7 @@ models::CalibrationConfig sensingFitConfig(const SensedMotion& motion, const Sen
     config.deviation_T = board.deviation_T;
     config.selection.harmonics = config.selection.skews = config.selection.directions = true;
     config.selection.drift = motion.temperatureSpan_K >= LeastTemperature_K;
+    config.selection.channels = motion.channels;
     config.selection.coil = isStray && motion.currentSpan_A >= LeastCurrent_A;
     config.placeDeviation_rad = Place_m / board.calibration.sensors[0].pose.position_m.norm();
     return config;
@@ -262,6 +296,13 @@ Result<void> concludeSensing(const SensedMotion& motion, const SensingBoard& boa
         return aborted.has_value();
     };
     judgeMotion(result, motion, asked);
+    judgeChannels(result, motion.channels);
+    if (const std::optional<Finding> wrong = contradictingReadings(motion, board)) {
+        note(result, Verdict::Refused, wrong->code.c_str(), wrong->message, wrong->hint);
+    }
+    if (std::any_of(result.quality.findings.begin(), result.quality.findings.end(), preventsFit)) {
+        return {};
+    }
     const auto fit = fitWith(motion, board, config);
     if (aborted) {
         return failure(*aborted);
@@ -287,6 +328,12 @@ Result<void> concludeSensing(const SensedMotion& motion, const SensingBoard& boa
     result.residualAfter_rad = errorAfter_rad(*fit, remaining, noise_T);
     if (config.selection.coil) {
         result.proposed = coilValues(fit->calibration);
+    }
+    if (!motion.hasReference) {
+        note(result, Verdict::Good, "sign_not_observable",
+             "The common sign of all readings is not observable without a known orientation: reversed, they "
+             "are those of a rotor that is spun by 90 degrees.",
+             "Compare one orientation with the rotor, or record reference.alpha, .beta and .gamma.");
     }
     if (isHall) {
         const double tolerance_T = remaining.readingDeviation_T();

@@ -1,5 +1,6 @@
 #include "app/actuators/spherical/sensing_procedures.h"
 
+#include "app/actuators/spherical/sensing_board.h"
 #include "app/actuators/spherical/sensing_calibrate.h"
 #include "app/actuators/spherical/sensing_contradictions.h"
 #include "app/procedures/base/offered_procedure.h"
@@ -39,7 +40,9 @@ Actuator sensingActuator() {
             {setNothing, checkNothing, predictNothing, identifyNothing},
             {nullptr, checkSensingCalibrate, predictSensingCalibrate, calibrateSensing},
             calibrateSensingRecording,
-            sensingContradictions()};
+            sensingContradictions(),
+            {},
+            checkSensorPlaces};
 }
 
 } // namespace halbench::app

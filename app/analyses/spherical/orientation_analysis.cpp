@@ -120,12 +120,16 @@ Result<PoseSolver> tensorSolver(const AnalysisValues& values, const Orientation&
     if (!estimator) {
         return failure(estimator.error());
     }
-    return PoseSolver([estimator = *std::move(estimator), &work](std::size_t row) {
+    const double possible = config.chiSquareLimit * config.possibleLimit_ratio;
+    return PoseSolver([estimator = *std::move(estimator), possible, &work](std::size_t row) {
         OrientedPose pose;
         pose.estimate = estimator.estimate(work.confidence->corrected_T(work.readings.readings_T[row],
                                                                         work.readings.used[row],
                                                                         work.readings.coilCurrent_A[row]),
                                            work.readings.used[row]);
+        if (pose.isOriented() && pose.estimate.freedom > 0 && pose.estimate.chiSquare > possible) {
+            pose.estimate.verdict = OrientationVerdict::NotConverged;
+        }
         pose.hasUncertainty = pose.isOriented();
         if (pose.hasUncertainty) {
             pose.estimate.covariance_rad2 = work.confidence->covariance_rad2(pose.estimate);
@@ -348,6 +352,26 @@ AnalysisTable toTable(const Orientation& work) {
     return table;
 }
 
+template <typename Note>
+void noteSaturation(const Orientation& work, Note note) {
+    std::string names;
+    for (const std::size_t channel : work.readings.saturated) {
+        names += (names.empty() ? "" : ", ") + work.readings.names[channel];
+    }
+    const double saturation_mT = 1e3 * *work.readings.saturation_T;
+    if (work.readings.saturated.size() == 1) {
+        note(
+            Verdict::Doubtful, "perhaps_clipped",
+            fmt::format("{} rests at the largest reading, {:.4g} mT: it may be clipped and is left out there",
+                        names, saturation_mT),
+            "give the range of the sensors with --range-mT");
+    } else {
+        note(Verdict::Doubtful, "saturated",
+             fmt::format("{} are saturated at {:.4g} mT: they are left out there", names, saturation_mT),
+             "use sensors with a larger range or a larger radius, or give the range with --range-mT");
+    }
+}
+
 DataQuality qualityOf(const Orientation& work) {
     DataQuality quality;
     const auto note = [&](Verdict verdict, const char* code, std::string message, std::string hint) {
@@ -358,8 +382,11 @@ DataQuality qualityOf(const Orientation& work) {
     const std::size_t determined = work.count(OrientationVerdict::Determined);
     const std::size_t reduced = work.count(OrientationVerdict::Reduced);
     if (determined + reduced == 0) {
+        const bool isUnexplained = work.count(OrientationVerdict::NotConverged) > 0;
         note(Verdict::Refused, "no_pose", fmt::format("none of {} rows determines an orientation", rows),
-             "give at least four channels that are neither missing nor clipped, in tesla");
+             isUnexplained ? "no pose explains the readings: check placement, frames, harmonics and units, "
+                             "calibrate, or give the true --noise-uT"
+                           : "give at least four channels that are neither missing nor clipped, in tesla");
     } else if (determined + reduced < rows) {
         note(Verdict::Doubtful, "poses_without_orientation",
              fmt::format("{} of {} rows have no orientation: {} ambiguous, {} without enough channels or "
@@ -368,6 +395,12 @@ DataQuality qualityOf(const Orientation& work) {
                          work.count(OrientationVerdict::NotDetermined),
                          work.count(OrientationVerdict::NotConverged)),
              "see 'problems'");
+    }
+    if (const std::size_t wrong = work.count(OrientationVerdict::NotConverged);
+        determined + reduced > 0 && 2 * wrong > rows) {
+        note(Verdict::Refused, "model_does_not_fit",
+             fmt::format("no pose explains {} of {} rows: the others fit by chance", wrong, rows),
+             "check placement, frames, harmonics and units, calibrate, or give the true --noise-uT");
     }
     if (reduced > 0) {
         note(Verdict::Doubtful, "reduced_integrity",
@@ -382,11 +415,8 @@ DataQuality qualityOf(const Orientation& work) {
                  "they are left out of the estimate");
         }
     }
-    if (work.readings.suspect) {
-        note(Verdict::Doubtful, "perhaps_clipped",
-             fmt::format("{} rests at the largest reading: it may be clipped",
-                         work.readings.names[*work.readings.suspect]),
-             "give the range of the sensors with --range-mT");
+    if (work.readings.saturation_T) {
+        noteSaturation(work, note);
     }
     const auto chi = ofPoses(work, [](const OrientedPose& pose) {
         return pose.hasUncertainty && pose.estimate.freedom > 0

@@ -1,8 +1,8 @@
 #include "app/analyses/spherical/orientation_readings.h"
 
+#include "app/actuators/spherical/sensing_columns.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
-#include "control/base/unit_conversion.h"
 
 #include <fmt/format.h>
 
@@ -19,66 +19,28 @@ constexpr double LargestField_T = 3.0;
 /// The last step of a converter lies below the positive end of its range: 0.05 % of it with 12 bit, 0.08 %
 /// with 98 uT steps up to 130 mT.
 constexpr double RangeEnd_ratio = 0.999;
-/// Rows at the largest magnitude from which on a channel counts as suspect, and their share.
-constexpr std::size_t SuspectRows = 10;
-constexpr double SuspectShare = 0.01;
+/// Rows with exactly its largest reading from which on a channel is saturated, their share of all rows, and
+/// how many times the readings just below. A sine that is rounded to 12 bit has 0.8 times as many at its top.
+constexpr std::size_t LeastPile = 10;
+constexpr double LeastPileShare = 0.01;
+constexpr std::size_t PileToNeighbours = 2;
+constexpr double Neighbours_ratio = 0.997;
+/// Channels at rest with one common magnitude: three of a rotor's field may be alike, four are saturated.
+constexpr std::size_t LeastAlike = 4;
 
-/// "field.0.r" and "field_0_r" are one signal: a recording without a sidecar knows the column alone.
-std::string plainName(std::string name) {
-    std::replace(name.begin(), name.end(), '.', '_');
-    return name;
-}
-
-struct ReadColumn {
-    std::size_t index = 0;
-    UnitConversion toUnit;
-};
-
-/// "field_0_r_mT", "field.0.r [mT]": what stands behind the name; nothing when it is another name.
-std::optional<std::string> unitBehind(const std::string& column, const std::string& wanted) {
-    if (!column.starts_with(wanted) || column.size() <= wanted.size() + 1) {
-        return std::nullopt;
+/// As sensingColumn(), with the recording named.
+Result<SensingColumn> columnOf(const Recording& recording, const std::string& name, const std::string& unit,
+                               const std::string& origin) {
+    const auto column = sensingColumn(recording, name, unit, ColumnsWithoutUnit::Refused);
+    if (column) {
+        return column;
     }
-    std::string rest = column.substr(wanted.size());
-    if (rest.find_first_of(" _[(") != 0) {
-        return std::nullopt;
+    Error error = column.error();
+    error.message = origin + ": " + error.message;
+    if (error.code == ErrorCode::UnknownName) {
+        error.hint += "; name others with --readings or --truth-signals";
     }
-    rest.erase(0, rest.find_first_not_of(" _"));
-    const bool isBracketed = rest.size() > 2 && ((rest.front() == '[' && rest.back() == ']') ||
-                                                 (rest.front() == '(' && rest.back() == ')'));
-    return isBracketed ? rest.substr(1, rest.size() - 2) : rest;
-}
-
-/// The column of a signal, with the way to its unit. A column in a unit of another quantity is refused unless
-/// there is one that fits. What stands behind a name and is no unit makes another name: `coil_current_set`.
-Result<ReadColumn> columnOf(const Recording& recording, const std::string& name, const std::string& unit,
-                            const std::string& origin) {
-    const auto& columns = recording.layout->columns;
-    const std::string wanted = plainName(name);
-    std::string known;
-    std::optional<Error> misfit;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        const std::string column = plainName(columns[i].name);
-        const std::optional<std::string> written =
-            column == wanted ? columns[i].unit : unitBehind(column, wanted);
-        if (const auto conversion = written ? conversionBetween(*written, unit) : std::nullopt) {
-            return ReadColumn{i, *conversion};
-        }
-        const bool isUnit = written && (column == wanted || isReadableUnit(*written));
-        if (isUnit && !misfit) {
-            misfit = Error{ErrorCode::InvalidInput,
-                           fmt::format("{}: '{}' is not in {}", origin, columns[i].name, unit),
-                           fmt::format("give the unit of its numbers, e.g. mT: halbench import --unit "
-                                       "COLUMN=UNIT --map {}=COLUMN",
-                                       name)};
-        }
-        known += (known.empty() ? "" : ", ") + columns[i].name;
-    }
-    if (misfit) {
-        return failure(*misfit);
-    }
-    return failure(ErrorCode::UnknownName, fmt::format("{}: there is no signal '{}'", origin, name),
-                   fmt::format("there are {}; name others with --readings or --truth-signals", known));
+    return failure(error);
 }
 
 template <std::size_t Count>
@@ -104,30 +66,85 @@ Result<void> readTruth(const AnalysisValues& values, const Recording& recording,
     if (!names) {
         return failure(names.error());
     }
-    std::array<ReadColumn, 3> columns;
+    std::array<std::vector<double>, 3> columns;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-        const Result<ReadColumn> column = columnOf(recording, (*names)[i], "rad", origin);
+        const Result<SensingColumn> column = columnOf(recording, (*names)[i], "rad", origin);
         if (!column) {
             return failure(column.error());
         }
-        columns[i] = *column;
+        columns[i] = column->values(recording);
     }
-    const std::size_t width = recording.layout->columns.size();
     for (std::size_t row = 0; row < recording.rows(); ++row) {
         std::array<double, 3> angles{};
         for (std::size_t i = 0; i < angles.size(); ++i) {
-            const double value = columns[i].toUnit(recording.values[row * width + columns[i].index]);
-            if (!std::isfinite(value)) {
+            if (!std::isfinite(columns[i][row])) {
                 return failure(ErrorCode::InvalidInput,
                                fmt::format("{}: '{}' has no value at {} s", origin, (*names)[i],
                                            formatNumber(recording.time_s[row])),
                                "cut the recording with 'halbench convert', or leave --truth out");
             }
-            angles[i] = value;
+            angles[i] = columns[i][row];
         }
         result.truth.push_back({angles[0], angles[1], angles[2]});
     }
     return {};
+}
+
+struct Pile {
+    std::size_t rows = 0; ///< with the channel's own largest or smallest value, at the common end
+    std::size_t neighbours = 0;
+    bool isAll = false;
+};
+
+Pile pileOf(const OrientationReadings& result, std::size_t channel, double largest_T) {
+    const auto value = [&](const models::SphericalReadings& reading) {
+        return reading[static_cast<Eigen::Index>(channel)];
+    };
+    double lowest = 0.0;
+    double highest = 0.0;
+    for (const models::SphericalReadings& reading : result.readings_T) {
+        lowest = std::fmin(lowest, value(reading)); // numbers win over missing values
+        highest = std::fmax(highest, value(reading));
+    }
+    Pile pile;
+    for (const models::SphericalReadings& reading : result.readings_T) {
+        const double size = std::abs(value(reading));
+        const bool isExtreme = value(reading) == lowest || value(reading) == highest;
+        pile.rows += isExtreme && size >= largest_T * RangeEnd_ratio;
+        pile.neighbours += !isExtreme && size >= largest_T * Neighbours_ratio;
+    }
+    pile.isAll = pile.rows == result.readings_T.size();
+    return pile;
+}
+
+/// Leaves out readings that pile up at the common largest magnitude.
+void markSaturated(double largest_T, OrientationReadings& result) {
+    const auto rows = static_cast<double>(result.readings_T.size());
+    std::vector<std::size_t> saturated;
+    bool isAtRest = true;
+    for (std::size_t i = 0; i < models::ChannelCount; ++i) {
+        const Pile pile = pileOf(result, i, largest_T);
+        const bool isMany = pile.rows >= LeastPile && static_cast<double>(pile.rows) > LeastPileShare * rows;
+        if (pile.rows > 0 && (isMany || pile.isAll) && pile.rows > PileToNeighbours * pile.neighbours) {
+            saturated.push_back(i);
+            isAtRest = isAtRest && pile.isAll;
+        }
+    }
+    // A rotor at rest between noiseless sensors repeats its readings and is not saturated.
+    if (saturated.empty() || (isAtRest && saturated.size() < LeastAlike)) {
+        return;
+    }
+    result.saturation_T = largest_T;
+    for (const std::size_t i : saturated) {
+        for (std::size_t row = 0; row < result.readings_T.size(); ++row) {
+            const double size = std::abs(result.readings_T[row][static_cast<Eigen::Index>(i)]);
+            if (size >= largest_T * RangeEnd_ratio) {
+                result.used[row][i] = false;
+                ++result.clipped[i];
+            }
+        }
+    }
+    result.saturated = std::move(saturated);
 }
 
 /// Readings beyond any field, or channels at the end of the range.
@@ -151,19 +168,8 @@ Result<void> markChannels(std::optional<double> range_T, const std::string& orig
                                    formatNumber(largest)),
                        "convert them with 'halbench import --unit COLUMN=mT'");
     }
-    for (std::size_t i = 0; !range_T && largest > 0.0 && i < models::ChannelCount; ++i) {
-        const auto rests = [&](const models::SphericalReadings& reading) {
-            return std::abs(reading[static_cast<Eigen::Index>(i)]) >= largest;
-        };
-        const auto rows = static_cast<std::size_t>(
-            std::count_if(result.readings_T.begin(), result.readings_T.end(), rests));
-        const bool isMany =
-            static_cast<double>(rows) > SuspectShare * static_cast<double>(result.used.size());
-        // A rotor at rest between noiseless sensors repeats its readings and is not clipped.
-        const bool isAll = rows == result.used.size();
-        if (rows >= SuspectRows && isMany && !isAll) {
-            result.suspect = i;
-        }
+    if (!range_T && largest > 0.0) {
+        markSaturated(largest, result);
     }
     return {};
 }
@@ -188,32 +194,35 @@ Result<OrientationReadings> orientationReadings(const AnalysisValues& values,
     if (!names) {
         return failure(names.error());
     }
+    if (recording.rows() == 0) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("{}: there are no rows of {}", origin, fmt::join(*names, ", ")),
+                       fmt::format("record again; the file has the columns {}", columnNames(recording)));
+    }
     result.names = *names;
     result.time_s = recording.time_s;
     result.readings_T.resize(recording.rows());
     result.used.resize(recording.rows(), models::AllChannels);
     for (std::size_t i = 0; i < models::ChannelCount; ++i) {
-        const Result<ReadColumn> column = columnOf(recording, result.names[i], "T", origin);
+        const Result<SensingColumn> column = columnOf(recording, result.names[i], "T", origin);
         if (!column) {
             return failure(column.error());
         }
-        const std::size_t width = recording.layout->columns.size();
-        for (std::size_t row = 0; row < recording.rows(); ++row) {
-            result.readings_T[row][static_cast<Eigen::Index>(i)] =
-                column->toUnit(recording.values[row * width + column->index]);
+        const std::vector<double> readings_T = column->values(recording);
+        for (std::size_t row = 0; row < readings_T.size(); ++row) {
+            result.readings_T[row][static_cast<Eigen::Index>(i)] = readings_T[row];
         }
     }
     result.coilCurrent_A.resize(recording.rows(), 0.0);
-    const Result<ReadColumn> current = columnOf(recording, "coil.current", "A", origin);
+    const Result<SensingColumn> current = columnOf(recording, "coil.current", "A", origin);
     if (!current && current.error().code != ErrorCode::UnknownName) {
         return failure(current.error()); // it is there: not taken for none
     }
     if (current) {
-        const std::size_t width = recording.layout->columns.size();
-        for (std::size_t row = 0; row < recording.rows(); ++row) {
-            const double current_A = current->toUnit(recording.values[row * width + current->index]);
-            result.coilCurrent_A[row] = std::isfinite(current_A) ? current_A : 0.0;
-        }
+        result.coilCurrent_A = current->values(recording);
+        std::replace_if(
+            result.coilCurrent_A.begin(), result.coilCurrent_A.end(),
+            [](double current_A) { return !std::isfinite(current_A); }, 0.0);
     }
     std::optional<double> range_T;
     if (const std::optional<double> range_mT = values.number("range_mT")) {

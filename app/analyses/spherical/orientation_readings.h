@@ -19,16 +19,19 @@ struct OrientationReadings {
     std::array<std::string, models::ChannelCount> names;
     std::array<std::size_t, models::ChannelCount> missing{}; ///< rows without a value, each channel
     std::array<std::size_t, models::ChannelCount> clipped{};
-    /// A channel rests at the largest magnitude of all: it may be clipped although no range was given.
-    std::optional<std::size_t> suspect;
+    /// Without a given range: the magnitude at which readings pile up, and the channels that do. Readings
+    /// there are left out. One channel may also be at rest there; several are saturated.
+    std::optional<double> saturation_T;
+    std::vector<std::size_t> saturated;
 };
 
 /// Names of the readings when none are given: "field.0.r", "field.0.theta", ... "field.2.phi".
 std::array<std::string, models::ChannelCount> defaultReadingNames();
 
 /// Takes the columns named by the settings `readings`, `truth` and `truth_signals` out of a recording and
-/// marks values at the end of `range_mT`. Errors: UnknownName (a missing column, a column in another unit),
-/// InvalidInput (not nine names, readings beyond 3 T, a true angle that is no number).
+/// marks values at the end of `range_mT`, or where they pile up when no range is given. Errors: UnknownName
+/// (a missing column, a column in another unit), InvalidInput (no rows, not nine names, readings beyond 3 T,
+/// a true angle that is no number).
 Result<OrientationReadings> orientationReadings(const AnalysisValues& values,
                                                 const devices::RecordedFile& file, const std::string& origin);
 

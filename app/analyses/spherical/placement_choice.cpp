@@ -104,6 +104,13 @@ Result<models::PlacementDevice> deviceChoice(const AnalysisValues& values) {
                        "the rotor's d axis points where the radial field is positive: turn the rotor frame "
                        "by 90 degrees about the shaft instead of changing the sign");
     }
+    if (device.radius_m <= device.rotorRadius_m) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("--radius-mm: sensors {} mm from the centre lie inside the rotor of {} mm",
+                                   formatNumber(1e3 * device.radius_m),
+                                   formatNumber(1e3 * device.rotorRadius_m)),
+                       "place them outside the rotor");
+    }
     return device;
 }
 

@@ -26,11 +26,18 @@ control::LoopTiming timingOr(const MeasuredTiming& measured, control::LoopTiming
     return otherwise;
 }
 
-Result<void> checkTimingOfModel(const MeasuredTiming& model, const control::LoopTiming& device) {
+bool isSamePeriod(double one_s, double other_s) {
     constexpr double Rounding_ratio = 1e-6; // single precision on a board
+    return std::fabs(one_s - other_s) <= Rounding_ratio * std::fabs(other_s);
+}
+
+bool isSameTiming(const control::LoopTiming& one, const control::LoopTiming& other) {
+    return isSamePeriod(one.period_s, other.period_s) && one.delay_samples == other.delay_samples;
+}
+
+Result<void> checkTimingOfModel(const MeasuredTiming& model, const control::LoopTiming& device) {
     const control::LoopTiming own = timingOr(model, device);
-    const bool isSamePeriod = std::fabs(own.period_s - device.period_s) <= Rounding_ratio * device.period_s;
-    if (isSamePeriod && own.delay_samples == device.delay_samples) {
+    if (isSameTiming(own, device)) {
         return {};
     }
     return failure(ErrorCode::Refused,

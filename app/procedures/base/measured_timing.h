@@ -23,6 +23,10 @@ MeasuredTiming timingOf(const devices::Catalogue& catalogue, std::span<const Par
 /// What is known of it, else `otherwise`.
 control::LoopTiming timingOr(const MeasuredTiming& measured, control::LoopTiming otherwise);
 
+/// Equal up to the single precision of a board.
+bool isSamePeriod(double one_s, double other_s);
+bool isSameTiming(const control::LoopTiming& one, const control::LoopTiming& other);
+
 /// A model is not judged for a loop that samples or waits otherwise than the one it was measured with.
 /// Errors: Refused, with both.
 Result<void> checkTimingOfModel(const MeasuredTiming& model, const control::LoopTiming& device);

@@ -46,27 +46,62 @@ double admissibleStart_degC(const devices::Device& device, const PlateauRun& run
     return start_degC;
 }
 
-// Waits until the generator is through; ends it early when the rotor gets too fast.
-Result<void> waitForEnd(devices::Device& device, const ProcedureObserver& observer, const PlateauRun& run,
-                        const SpeedWatch& watch) {
-    constexpr double Piece_s = 0.1;
+/// Foresees when a rotor gets too fast: its speed is seen late, and current drives it until the board is
+/// told.
+class SpeedGuard {
+public:
+    SpeedGuard(const SpeedWatch& watch, const PlateauRun& run) : m_watch(watch), m_run(run) {}
+
+    /// Time until it has to be looked at again: ten times a second, more often where it gains speed so fast
+    /// that it could reach the limit meanwhile.
+    double nextLook_s() const {
+        constexpr double Longest_s = 0.1;
+        constexpr double Shortest_s = 0.02;
+        const double room_rad_s = limit_rad_s() - m_seen_rad_s;
+        const double half_s = m_gained_rad_s2 > 0.0 ? 0.5 * room_rad_s / m_gained_rad_s2 : Longest_s;
+        return std::clamp(half_s, Shortest_s, Longest_s);
+    }
+
+    /// Whether it must end, `piece_s` after the last look.
+    bool isDue(double piece_s) {
+        constexpr double Reaction_s = 0.03; // a row of the stream, the link there and back
+        m_gained_rad_s2 = (m_watch.highest_rad_s() - m_seen_rad_s) / piece_s;
+        m_seen_rad_s = m_watch.highest_rad_s();
+        return m_seen_rad_s > m_run.mayReach_rad_s ||
+               m_seen_rad_s + Reaction_s * m_gained_rad_s2 > limit_rad_s();
+    }
+
+private:
+    double limit_rad_s() const { return m_run.neverAbove_rad_s.value_or(m_run.mayReach_rad_s); }
+
+    const SpeedWatch& m_watch;
+    const PlateauRun& m_run;
+    double m_seen_rad_s = 0.0;
+    double m_gained_rad_s2 = 0.0; ///< since the last look
+};
+
+// Waits until the generator is through; ends it early before the rotor gets too fast.
+Result<RunEnd> waitForEnd(devices::Device& device, const ProcedureObserver& observer, const PlateauRun& run,
+                          const SpeedWatch& watch) {
     const double end_s = device.clock().now_s() + run.duration_s();
+    SpeedGuard guard(watch, run);
     while (device.clock().now_s() < end_s) {
-        const double piece_s = std::min(Piece_s, end_s - device.clock().now_s() + 1e-3);
+        const double piece_s = std::min(guard.nextLook_s(), end_s - device.clock().now_s() + 1e-3);
         const double done = 1.0 - (end_s - device.clock().now_s()) / run.duration_s();
         if (auto waited = waitObserved(device, observer, piece_s, done, done, run.text); !waited) {
-            return waited;
+            return failure(waited.error());
         }
-        if (watch.highest_rad_s() > run.mayReach_rad_s) {
+        if (guard.isDue(piece_s)) {
             const ParameterValue stop[] = {{"reference.start", 0.0}};
             if (auto stopped = device.writeParameters(stop); !stopped) {
-                return stopped;
+                return failure(stopped.error());
             }
             constexpr double CoastDown_s = 1.5;
-            return waitObserved(device, observer, CoastDown_s, done, 1.0, run.text);
+            const auto rested = waitObserved(device, observer, CoastDown_s, done, 1.0, run.text);
+            return rested ? Result<RunEnd>(RunEnd::TooFast) : failure(rested.error());
         }
     }
-    return {};
+    return RunEnd::Complete;
 }
 
 } // namespace
@@ -100,8 +135,8 @@ Result<void> prepareSpinning(devices::Device& device, double speedLimit_rad_s) {
     return device.writeParameters(values);
 }
 
-Result<void> runPlateaus(devices::Device& device, const ProcedureObserver& observer, const PlateauRun& run,
-                         const HeatLimits& heat, SpeedWatch& watch) {
+Result<RunEnd> runPlateaus(devices::Device& device, const ProcedureObserver& observer, const PlateauRun& run,
+                           const HeatLimits& heat, SpeedWatch& watch) {
     HB_ASSERT(!run.currents_A.empty() && run.currents_A.size() <= 32 && run.dwell_s > 0.0);
     const double start_degC = admissibleStart_degC(device, run, heat);
     if (auto admitted =
@@ -110,16 +145,18 @@ Result<void> runPlateaus(devices::Device& device, const ProcedureObserver& obser
         return failure(admitted.error());
     }
     if (auto armed = device.arm(); !armed) {
-        return armed;
+        return failure(armed.error());
     }
     watch.reset();
     if (auto started = device.writeParameters(generatorValues(run)); !started) {
-        return started;
+        return failure(started.error());
     }
-    if (auto ended = waitForEnd(device, observer, run, watch); !ended) {
+    const auto ended = waitForEnd(device, observer, run, watch);
+    if (!ended) {
         return ended;
     }
-    return device.disarm();
+    const auto disarmed = device.disarm();
+    return disarmed ? ended : failure(disarmed.error());
 }
 
 } // namespace halbench::app

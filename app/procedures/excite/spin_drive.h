@@ -3,6 +3,7 @@
 #include "app/procedures/base/procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,15 @@ struct PlateauRun {
     double dwell_s = 0.0;
     double mayReach_rad_s = 0.0; ///< the run ends early, without current, when it turns faster
     std::string text;            ///< for the progress line
+    /// It ends before it turns faster than this, as far as that can be foreseen; absent: mayReach_rad_s.
+    std::optional<double> neverAbove_rad_s = {};
 
     double duration_s() const { return dwell_s * static_cast<double>(currents_A.size()); }
     /// Mean square of the current in one phase of a turning rotor: half that of the amplitude.
     double meanSquare_A2() const;
 };
+
+enum class RunEnd { Complete, TooFast };
 
 /// Heat limits of a run: resources/help/architecture.md, safety.
 struct HeatLimits {
@@ -47,7 +52,7 @@ Result<void> prepareSpinning(devices::Device& device, double speedLimit_rad_s);
 
 /// Waits for cool coils, arms, runs the plateaus and disarms. The board owns the current: it goes to zero at
 /// the end of the list whatever happens here. Errors: Refused (heat), of the device, of the abort.
-Result<void> runPlateaus(devices::Device& device, const ProcedureObserver& observer, const PlateauRun& run,
-                         const HeatLimits& heat, SpeedWatch& watch);
+Result<RunEnd> runPlateaus(devices::Device& device, const ProcedureObserver& observer, const PlateauRun& run,
+                           const HeatLimits& heat, SpeedWatch& watch);
 
 } // namespace halbench::app

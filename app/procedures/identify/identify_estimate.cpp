@@ -1,6 +1,7 @@
 #include "app/procedures/identify/identify_estimate.h"
 
 #include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/base/recorded_values.h"
 #include "app/procedures/identify/identify_motion.h"
 #include "control/base/units.h"
 #include "control/identify/angle_column.h"
@@ -105,8 +106,12 @@ Result<Columns> takeColumns(const Recording& recording) {
     if (Result<void> inSi = checkUnits(*recording.layout); !inSi) {
         return failure(inSi.error());
     }
-    if (Result<void> checked = checkRows(recording.time_s); !checked) {
-        return failure(checked.error());
+    for (const auto& checked :
+         {checkRows(recording.time_s), checkRecordedValues(recording, "position", columns.angle_rad),
+          checkRecordedValues(recording, "current_command", columns.current_A)}) {
+        if (!checked) {
+            return failure(checked.error());
+        }
     }
     return columns;
 }
@@ -318,12 +323,6 @@ Result<IdentifyFits> fitRecording(const Recording& recording, const IdentifyConf
         control::findPlateaus(recording.time_s, columns->current_A, columns->marker, segmentConfigOf(config));
     if (!plateaus) {
         return failure(plateaus.error());
-    }
-    for (const double angle : columns->angle_rad) {
-        if (!std::isfinite(angle)) {
-            return failure(ErrorCode::NotFinite, "an angle of the recording is not a number",
-                           "remove the damaged rows");
-        }
     }
     IdentifyFits fits;
     fits.lostRows = recording.lostRows;

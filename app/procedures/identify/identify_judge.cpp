@@ -75,12 +75,13 @@ void takeAsymmetry(IdentifyResult& result, const IdentifyFits& fits) {
         error = fits.sweep->asymmetryError;
         freedom = fits.sweep->freedom;
     }
-    if (!value) {
+    if (!value || std::fabs(*value) > 1.0) { // almost no friction: one direction came out below zero
         return;
     }
     const double half = control::studentQuantile(0.975, freedom) * error;
-    result.asymmetry = control::Estimate{*value, std::pair(*value - half, *value + half),
-                                         control::EstimateSource::Identified, ""};
+    result.asymmetry =
+        control::Estimate{*value, std::pair(std::max(*value - half, -1.0), std::min(*value + half, 1.0)),
+                          control::EstimateSource::Identified, ""};
     if (std::fabs(*value) > std::max(half, smallestAsymmetry(fits, CurrentError_ratio))) {
         remark(result.quality, Verdict::Good, "friction_asymmetry",
                fmt::format("friction differs between the directions by {:.1f} % of its mean",

@@ -52,6 +52,20 @@ Result<void> checkConfig(const IdentifyConfig& config) {
     return {};
 }
 
+/// The currents of a sweep, brought below the highest of a run that got too fast.
+std::vector<double> belowCurrent(std::vector<double> currents_A, const PlateauRun& run) {
+    constexpr double Share = 0.9; // of that current
+    double highest_A = 0.0;
+    for (const double current_A : run.currents_A) {
+        highest_A = std::max(highest_A, std::fabs(current_A));
+    }
+    const double scale = std::min(1.0, Share * highest_A / currents_A.back());
+    for (double& current_A : currents_A) {
+        current_A *= scale;
+    }
+    return currents_A;
+}
+
 /// The excitation as one object, so that its steps share device, observer and limits.
 class Excitation {
 public:
@@ -75,12 +89,11 @@ public:
         }
         m_pilot.emplace(m_device, m_observer, m_config);
         const auto pilot = m_pilot->find(currents_A);
-        m_pilot.reset();
         if (!pilot) {
             return failure(recorder.causeOf(pilot.error()));
         }
         if (*pilot) {
-            if (auto done = runAll(planRuns(m_config, currents_A, **pilot)); !done) {
+            if (auto done = runAll(currents_A, **pilot); !done) {
                 return failure(recorder.causeOf(done.error()));
             }
         }
@@ -88,14 +101,30 @@ public:
     }
 
 private:
-    Result<void> runAll(const std::vector<PlateauRun>& runs) {
+    /// A run that had to end because it got too fast shows that the pilot took the motor for a slower one,
+    /// e.g. where friction falls with speed: what is left is planned anew by all that was seen, below that
+    /// current.
+    Result<void> runAll(std::vector<double> currents_A, const PilotEstimate& pilot) {
+        constexpr int MostPlans = 8;
         if (auto entered = enterState(m_outer, ProcedureState::Record); !entered) {
             return entered;
         }
-        for (const PlateauRun& run : runs) {
-            if (auto done = runPlateaus(m_device, m_observer, run, m_heat, m_watch); !done) {
-                return done;
+        std::vector<PlateauRun> runs = planRuns(m_config, currents_A, pilot);
+        int plans = 1;
+        for (std::size_t i = 0; i < runs.size();) {
+            const auto ended = runPlateaus(m_device, m_observer, runs[i], m_heat, m_watch);
+            if (!ended) {
+                return failure(ended.error());
             }
+            if (*ended == RunEnd::Complete || plans == MostPlans) {
+                ++i;
+                continue;
+            }
+            const std::size_t before = runs.size();
+            currents_A = belowCurrent(currents_A, runs[i]);
+            runs = planRuns(m_config, currents_A, m_pilot->estimate().value_or(pilot));
+            i = runs.size() == before ? i : 0;
+            ++plans;
         }
         return {};
     }
@@ -106,7 +135,7 @@ private:
     ProcedureObserver m_observer; ///< the outer one, listened in
     SpeedWatch m_watch;
     HeatLimits m_heat;
-    std::optional<PilotMotion> m_pilot; ///< while it runs
+    std::optional<PilotMotion> m_pilot; ///< sees all runs
 };
 
 Result<IdentifyResult> excite(devices::Device& device, const IdentifyConfig& config,

@@ -39,8 +39,10 @@ void PilotMotion::take(const SampleBlock& block) {
 }
 
 // From near rest: a rotor with little friction is given time to slow down.
-Result<void> PilotMotion::drive(const PlateauRun& run) {
+Result<void> PilotMotion::drive(PlateauRun run) {
     constexpr double SlowShare = 0.05; // of the speed limit
+    constexpr double GuardShare = 0.9;
+    run.neverAbove_rad_s = GuardShare * m_config.speedLimit_rad_s;
     constexpr double Longest_s = 4.0;
     constexpr double Piece_s = 0.1;
     for (double waited_s = 0.0; m_last_rad_s > SlowShare * m_config.speedLimit_rad_s && waited_s < Longest_s;
@@ -50,9 +52,9 @@ Result<void> PilotMotion::drive(const PlateauRun& run) {
         }
     }
     m_start_rad_s = m_last_rad_s;
-    auto done = runPlateaus(m_device, m_observer, run, m_heat, m_watch);
+    const auto done = runPlateaus(m_device, m_observer, run, m_heat, m_watch);
     m_fastest_rad_s = std::max(m_fastest_rad_s, m_watch.highest_rad_s());
-    return done;
+    return done ? Result<void>() : failure(done.error());
 }
 
 // Mean acceleration of the first pulse that shows it well, or of the longest; 0 at rest.

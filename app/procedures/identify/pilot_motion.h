@@ -22,15 +22,16 @@ public:
     /// ascending order. Errors: of the device, of the abort, Refused (heat).
     Result<std::optional<PilotEstimate>> find(const std::vector<double>& currents_A);
 
+    /// The motor by everything that was taken so far; nothing where that does not show it.
+    std::optional<PilotEstimate> estimate() const;
+
 private:
-    Result<void> drive(const PlateauRun& run);
+    Result<void> drive(PlateauRun run);
     Result<double> pulsedAcceleration_rad_s2(double current_A);
     Result<PilotEstimate> pulsedMotor(double current_A, double acceleration_rad_s2);
     Result<std::optional<PilotEstimate>> findCalm(const std::vector<double>& currents_A);
     Result<std::optional<PilotEstimate>> findLively(double current_A, double acceleration_rad_s2,
                                                     double highest_A);
-    std::optional<PilotEstimate> estimate() const;
-
     devices::Device& m_device;
     const IdentifyConfig& m_config;
     const ProcedureObserver& m_observer;

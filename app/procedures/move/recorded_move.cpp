@@ -1,5 +1,7 @@
 #include "app/procedures/move/recorded_move.h"
 
+#include "app/procedures/base/recorded_values.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,10 +22,6 @@ constexpr double Longest_s = 120.0;
 std::vector<double> signal(const Recording& recording, const std::string& name, const char* unit) {
     std::vector<double> values = recording.layout ? recording.column(name) : std::vector<double>{};
     return values.empty() && recording.layout ? recording.column(name + "_" + unit) : values;
-}
-
-bool isFinite(std::span<const double> values) {
-    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
 }
 
 std::size_t startRow(const Recording& recording) {
@@ -237,9 +235,12 @@ Result<RecordedMove> recordedMove(const Recording& recording) {
     if (auto timed = checkTimes(time_s); !timed) {
         return failure(timed.error());
     }
-    if (!isFinite(from(position)) || !isFinite(from(reference)) || !isFinite(from(current))) {
-        return failure(ErrorCode::NotFinite, "the recording contains a value that is not a number",
-                       "record the move again");
+    for (const auto& checked : {checkRecordedValues(recording, "position", position, start),
+                                checkRecordedValues(recording, "reference", reference, start),
+                                checkRecordedValues(recording, "current_command", current, start)}) {
+        if (!checked) {
+            return failure(checked.error());
+        }
     }
     RecordedMove move{resampled(time_s, from(reference), true), resampled(time_s, from(position), false),
                       resampled(time_s, from(current), true)};

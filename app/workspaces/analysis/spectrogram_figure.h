@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workbench/signal_stretch.h"
+#include "app/workbench/signals/signal_stretch.h"
 #include "app/workspaces/analysis/spectrum_figure.h"
 #include "widgets/spectrogram/spectrogram_picture.h"
 

@@ -1,7 +1,7 @@
 #include "app/workspaces/analysis/spectrum_panel.h"
 
 #include "app/documents/spectrum_table.h"
-#include "app/workbench/signal_stretch.h"
+#include "app/workbench/signals/signal_stretch.h"
 #include "app/workspaces/analysis/spectrogram_figure.h"
 #include "app/workspaces/analysis/spectrogram_range.h"
 #include "app/workspaces/parts/field_grid.h"

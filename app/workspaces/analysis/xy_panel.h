@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/procedures/calibrate/ellipse_shape.h"
-#include "app/workbench/signal_stretch.h"
+#include "app/workbench/signals/signal_stretch.h"
 #include "app/workspaces/parts/live_picture.h"
 #include "widgets/figure/figure.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/workbench/loop_capture.h"
+#include "app/workbench/signals/loop_capture.h"
 #include "app/workbench/trigger_choice.h"
 #include "app/workbench/workbench.h"
 #include "control/history/sample_history.h"

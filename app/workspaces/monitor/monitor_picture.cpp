@@ -69,8 +69,22 @@ widgets::Curve drawnCurve(const control::SampleHistory& history, const widgets::
 }
 
 /// As on the screen.
-int colourOf(const widgets::LivePlotStack& stack, const std::string& signal, std::size_t position) {
-    return stack.colours().placeOf(signal, static_cast<int>(position)) % widgets::CurveColours;
+int placeOf(const widgets::LivePlotStack& stack, const std::string& signal, std::size_t position) {
+    return stack.colours().placeOf(signal, static_cast<int>(position));
+}
+
+widgets::CurveStyle styleOf(widgets::LinePattern pattern) {
+    switch (pattern) {
+    case widgets::LinePattern::Dash:
+        return widgets::CurveStyle::DashedLine;
+    case widgets::LinePattern::Dot:
+        return widgets::CurveStyle::DottedLine;
+    case widgets::LinePattern::DashDot:
+        return widgets::CurveStyle::DashDotLine;
+    case widgets::LinePattern::Solid:
+        break;
+    }
+    return widgets::CurveStyle::Line;
 }
 
 /// Dotted, in the colours of the curves they are compared with.
@@ -91,7 +105,7 @@ void addReference(widgets::Panel& panel, const widgets::LivePlotStack& stack, co
         trace.label =
             MonitorPicture::tr("%1, reference").arg(QString::fromStdString(trace.label)).toStdString();
         trace.style = widgets::CurveStyle::DottedLine;
-        trace.colour = colourOf(stack, plot.curves[i].signal, i);
+        trace.colour = placeOf(stack, plot.curves[i].signal, i) % widgets::CurveColours;
         panel.curves.push_back(std::move(trace));
     }
 }
@@ -177,7 +191,9 @@ widgets::Panel panelOf(const widgets::LivePlotStack& stack, int plot, const cont
     panel.height_px = heightOf(stack.plots(), spec);
     for (std::size_t i = 0; i < spec.curves.size(); ++i) {
         panel.curves.push_back(drawnCurve(history, spec.curves[i], range));
-        panel.curves.back().colour = colourOf(stack, spec.curves[i].signal, i);
+        const int place = placeOf(stack, spec.curves[i].signal, i);
+        panel.curves.back().colour = place % widgets::CurveColours;
+        panel.curves.back().style = styleOf(widgets::patternAt(place));
     }
     addReference(panel, stack, spec, range);
     return panel;

@@ -187,9 +187,22 @@ PreflightFacts Preflight::facts() const {
     return facts;
 }
 
+/// The device reports ten times a second; most of the time nothing is new.
 void Preflight::refresh() {
     const PreflightFacts now = facts();
     const std::vector<PreflightItem> items = preflightItems(now);
+    m_consent->setVisible(now.state == SessionState::Connected && !now.isSimulated && now.isMotorKnown &&
+                          now.isDriven);
+    m_consent->setText(now.hasSeveralAxes ? tr("The axes may move now") : tr("The rotor may turn now"));
+    m_consent->setToolTip(now.hasSeveralAxes ? tr("A real actuator moves only after your confirmation")
+                                             : tr("A real motor moves only after your confirmation"));
+    if (items != m_shown) {
+        m_shown = items;
+        show(items);
+    }
+}
+
+void Preflight::show(const std::vector<PreflightItem>& items) {
     const QString remedyBefore = std::exchange(m_remedy, QString());
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const bool isThere = i < items.size();
@@ -205,11 +218,6 @@ void Preflight::refresh() {
         m_remedy = m_remedy.isEmpty() && !item.isPassed ? item.remedy : m_remedy;
     }
     m_isPassed = m_remedy.isEmpty();
-    m_consent->setVisible(now.state == SessionState::Connected && !now.isSimulated && now.isMotorKnown &&
-                          now.isDriven);
-    m_consent->setText(now.hasSeveralAxes ? tr("The axes may move now") : tr("The rotor may turn now"));
-    m_consent->setToolTip(now.hasSeveralAxes ? tr("A real actuator moves only after your confirmation")
-                                             : tr("A real motor moves only after your confirmation"));
     setAccessibleName(tr("Checks before the start"));
     if (m_remedy != remedyBefore) {
         Q_EMIT changed();
@@ -260,6 +268,7 @@ void Preflight::hideEvent(QHideEvent* event) {
 void Preflight::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange) {
+        m_shown.clear();
         refresh();
     }
 }

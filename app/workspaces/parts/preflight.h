@@ -38,6 +38,8 @@ struct PreflightItem {
     QString text;
     QString remedy;         ///< what to do when it is not passed
     bool isRunning = false; ///< nothing is wrong: what the list is for goes on
+
+    bool operator==(const PreflightItem&) const = default;
 };
 
 /// One line each: device, faults, temperature, free motion. The procedure checks again itself.
@@ -68,6 +70,7 @@ protected:
 
 private:
     void refresh();
+    void show(const std::vector<PreflightItem>& items);
     void readTemperature();
     PreflightFacts facts() const;
 
@@ -77,6 +80,7 @@ private:
     bool m_isPassed = false;
     bool m_isReading = false;
     QString m_remedy;
+    std::vector<PreflightItem> m_shown; ///< empty: the words are out of date
     QString m_running;
     QTimer m_clock; ///< temperatures age
     QGridLayout* m_grid = nullptr;

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace halbench::app {
@@ -157,6 +158,34 @@ std::optional<MeasuredLoop> AxisLoops::measured(const std::string& axis) const {
     const auto loop = measuredLoop(plant->second, asFiltered(LoopLaw(proposed.law, proposed.filtered)),
                                    proposed.conditions.timing);
     return loop ? std::optional(*loop) : std::nullopt;
+}
+
+Result<std::map<std::string, MeasuredPlant>> AxisLoops::plantsOf(const AxesFrequencyFile& file) const {
+    if (!m_model) {
+        return failure(ErrorCode::Refused, "no axes were identified", "identify the axes first");
+    }
+    const auto& identified = m_model->header.device;
+    if (file.header.device && identified && file.header.device->model != identified->model) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("the response is of a device '{}', the model is of a '{}'",
+                                   file.header.device->model, identified->model),
+                       "open a response of this kind of device");
+    }
+    auto plants = plantsFor(m_model->model, file);
+    if (!plants) {
+        return plants;
+    }
+    for (const auto& [axis, plant] : *plants) {
+        const auto asked = question(axis);
+        const double period_s = asked ? asked->conditions.timing.period_s : plant.period_s;
+        if (std::abs(plant.period_s - period_s) > 1e-9 * period_s) {
+            return failure(ErrorCode::InvalidInput,
+                           fmt::format("sampling period of the response {:.4g} ms, of this loop {:.4g} ms",
+                                       1e3 * plant.period_s, 1e3 * period_s),
+                           "measure the response on this device");
+        }
+    }
+    return plants;
 }
 
 Result<std::vector<std::string>> AxisLoops::takeGains(const AxisGainsFile& file) {

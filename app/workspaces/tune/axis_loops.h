@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/documents/axes_frequency_file.h"
 #include "app/documents/axis_loop_documents.h"
 #include "app/documents/axis_model_file.h"
 #include "app/procedures/frequency/measured_loop.h"
@@ -69,6 +70,9 @@ public:
 
     /// Measured plants by axis, drawn with the gains that are proposed; they outlast the model.
     void setMeasured(std::map<std::string, MeasuredPlant> plants) { m_measured = std::move(plants); }
+    /// The plants of a file for these loops. Errors: of plantsFor(); InvalidInput (of another kind of device,
+    /// another rate of the loop), Refused without a model.
+    Result<std::map<std::string, MeasuredPlant>> plantsOf(const AxesFrequencyFile& file) const;
     void forgetMeasured(const std::string& axis) { m_measured.erase(axis); }
     bool isMeasured(const std::string& axis) const { return m_measured.count(axis) > 0; }
     /// Nothing without a response or an answer, or when the loop runs at another rate than the measured one.

@@ -6,6 +6,7 @@
 #include "app/workspaces/parts/preflight.h"
 #include "app/workspaces/tune/axis_gain_editor.h"
 #include "app/workspaces/tune/axis_gain_files.h"
+#include "app/workspaces/tune/axis_response_button.h"
 #include "app/workspaces/tune/axis_targets.h"
 #include "app/workspaces/tune/axis_verdict.h"
 #include "app/workspaces/tune/design_names.h"
@@ -122,6 +123,8 @@ QWidget* AxisTunePanel::buildSettings() {
 QWidget* AxisTunePanel::buildFigures() {
     m_figures = new PageChooser(this);
     m_loop = new LoopView(m_figures);
+    m_response = new AxisResponseButton(m_loops, m_loop);
+    m_loop->addTool(*m_response);
     m_forget = new QPushButton(m_loop);
     m_forget->hide();
     m_loop->addTool(*m_forget);
@@ -176,6 +179,8 @@ void AxisTunePanel::connectParts() {
     connect(m_gainFiles, &AxisGainFiles::saved, this, [this](const QString& path) {
         m_message->showMessage({widgets::Severity::Success, tr("Saved as %1").arg(path), {}, {}});
     });
+    connect(m_response, &AxisResponseButton::opened, this, &AxisTunePanel::useMeasured);
+    connect(m_response, &AxisResponseButton::failed, this, &AxisTunePanel::showError);
     connect(m_forget, &QPushButton::clicked, this, [this] {
         m_loops.forgetMeasured(m_axis);
         refreshMeasured();
@@ -438,6 +443,7 @@ void AxisTunePanel::refreshButtons() {
 }
 
 void AxisTunePanel::setFileChooser(FileChooser chooser) {
+    m_response->setFileChooser(chooser);
     m_gainFiles->setFileChooser(std::move(chooser));
 }
 

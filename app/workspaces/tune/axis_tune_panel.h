@@ -30,6 +30,7 @@ namespace halbench::app {
 
 class AxisGainEditor;
 class AxisGainFiles;
+class AxisResponseButton;
 class AxisTargets;
 class LoopSliders;
 class LoopView;
@@ -51,7 +52,7 @@ public:
     /// Measured plants by axis, for the open loops; kept until axes are identified, if none are. None takes
     /// those that are shown away.
     void useMeasured(std::map<std::string, MeasuredPlant> plants);
-    /// Without one no gains are opened and saved.
+    /// Without one no gains are opened and saved, and no measured response is opened.
     void setFileChooser(FileChooser chooser);
     const AxisLoops& loops() const { return m_loops; }
     const std::string& axis() const { return m_axis; }
@@ -105,6 +106,7 @@ private:
     QPushButton* m_apply = nullptr;
     QPushButton* m_restore = nullptr;
     AxisGainFiles* m_gainFiles = nullptr;
+    AxisResponseButton* m_response = nullptr;
     QPushButton* m_forget = nullptr; ///< takes the measured response of the axis away
     widgets::ProgressRow* m_progress = nullptr;
     widgets::VerdictView* m_verdict = nullptr;

@@ -2,7 +2,7 @@
 
 #include "app/figures/loop_figures.h"
 #include "app/figures/root_locus_figure.h"
-#include "app/workbench/loop_phase.h"
+#include "app/workbench/signals/loop_phase.h"
 #include "app/workspaces/parts/figure_units.h"
 #include "widgets/figure/figure_cursor.h"
 #include "widgets/figure/figure_view.h"

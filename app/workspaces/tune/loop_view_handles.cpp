@@ -1,5 +1,5 @@
 // What can be moved in the pictures of the open loop.
-#include "app/workbench/loop_phase.h"
+#include "app/workbench/signals/loop_phase.h"
 #include "app/workspaces/parts/figure_units.h"
 #include "app/workspaces/tune/loop_view.h"
 #include "control/base/units.h"

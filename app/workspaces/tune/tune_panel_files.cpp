@@ -28,6 +28,10 @@ void TunePanel::takeFromFile(const QString& path, const Result<GainsFile>& gains
         showError(gains.error());
         return;
     }
+    if (const auto fits = checkPeriodOfGains(gains->timing, m_conditions.timing); !fits) {
+        showError(fits.error());
+        return;
+    }
     m_shaping.reset();
     useEdited(gains->loopLaw());
     record(tr("Open %1").arg(QFileInfo(path).fileName()));

@@ -1,11 +1,10 @@
 #include "app/analyses/registry/analyses.h"
 #include "app/analyses/spherical/estimator_comparison.h"
 #include "app/analyses/spherical/orientation_readings.h"
-#include "control/base/random.h"
 #include "control/base/units.h"
 #include "models/spherical/orientation.h"
 #include "models/spherical/rotor_field.h"
-#include "models/spherical/spherical_plant.h"
+#include "tests/app/analyses/recorded_poses.h"
 
 #include <gmock/gmock.h>
 
@@ -15,93 +14,6 @@
 #include <fstream>
 
 namespace halbench::app {
-
-namespace {
-
-constexpr std::uint64_t Seed = 20;
-constexpr double Noise_T = 100e-6;
-
-/// Poses spread over the workspace, read by ideal sensors at the published places with the given noise.
-devices::RecordedFile recordedPoses(int rows, double noise_T) {
-    auto layout = std::make_shared<StreamLayout>();
-    for (int i = 0; i < 9; ++i) {
-        constexpr std::array Axes = {"r", "theta", "phi"};
-        layout->columns.push_back(
-            {"field." + std::to_string(i / 3) + "." + Axes[static_cast<std::size_t>(i % 3)], "T"});
-    }
-    for (const char* angle : {"truth.alpha", "truth.beta", "truth.gamma"}) {
-        layout->columns.push_back({angle, "rad"});
-    }
-    devices::RecordedFile file;
-    const models::RotorField field{models::RotorFieldConfig{}};
-    const models::SensorPoses poses =
-        models::sensorPoses(models::publishedPlacement(), models::SensorFrames::Zyx, 0.05);
-    Random random(Seed);
-    for (int row = 0; row < rows; ++row) {
-        const auto angle = [&](double limit_deg) {
-            return degreesToRadians(limit_deg * (2.0 * random.uniform() - 1.0));
-        };
-        const models::OrientationAngles angles{angle(44.0), angle(44.0), angle(89.0)};
-        const models::SphericalReadings readings = field.readings_T(models::rotationOf(angles), poses);
-        file.recording.time_s.push_back(0.001 * row);
-        for (int i = 0; i < 9; ++i) {
-            file.recording.values.push_back(readings[i] + noise_T * random.gaussian());
-        }
-        for (const double value : {angles.alpha_rad, angles.beta_rad, angles.gamma_rad}) {
-            file.recording.values.push_back(value);
-        }
-    }
-    file.recording.layout = layout;
-    return file;
-}
-
-Result<AnalysisOutcome> run(const char* name, const std::map<std::string, std::string>& texts,
-                            const std::map<std::string, bool>& flags = {},
-                            const devices::RecordedFile* file = nullptr,
-                            const AnalysisControl& control = {}) {
-    const Analysis* analysis = findAnalysis(name);
-    const Result<AnalysisValues> values = parseAnalysisValues(*analysis, texts, flags);
-    if (!values) {
-        return failure(values.error());
-    }
-    return analysis->run(*values, file, "motion.csv", control);
-}
-
-double number(const JsonValue& body, std::initializer_list<const char*> path) {
-    const JsonValue* node = &body;
-    for (const char* key : path) {
-        node = node->find(key);
-        if (node == nullptr) {
-            ADD_FAILURE() << "no " << key;
-            return NAN;
-        }
-    }
-    return node->number();
-}
-
-/// Readings of specimens as assembled, another one every ten poses.
-devices::RecordedFile recordedSpecimens() {
-    devices::RecordedFile file = recordedPoses(3000, Noise_T);
-    const models::RotorField field{models::RotorFieldConfig{}};
-    for (std::size_t row = 0; row < 3000; ++row) {
-        double* values = &file.recording.values[12 * row];
-        const models::SphericalSpecimen specimen = models::drawSphericalSpecimen({}, row / 10);
-        const models::SphericalReadings readings =
-            field.readings_T(models::rotationOf({values[9], values[10], values[11]}), specimen.poses);
-        const models::SphericalReadings ideal = field.readings_T(
-            models::rotationOf({values[9], values[10], values[11]}),
-            models::sensorPoses(models::publishedPlacement(), models::SensorFrames::Zyx, 0.05));
-        for (Eigen::Index i = 0; i < 9; ++i) {
-            const models::FieldSensorConfig& sensor = specimen.sensors[static_cast<std::size_t>(i / 3)];
-            const Eigen::Vector3d scaled = sensor.gain_ratio.cwiseProduct(readings.segment<3>(3 * (i / 3)));
-            values[i] += scaled[i % 3] + sensor.crossAxis_ratio.row(i % 3).dot(scaled) +
-                         sensor.offset_T[i % 3] - ideal[i];
-        }
-    }
-    return file;
-}
-
-} // namespace
 
 // spherical-theory.md section 7: 0.0286 degrees rms at 100 uT with a known strength. 3000 poses have a
 // standard error of the rms of about 1 %; the workspace without its outermost degree and the poses' own
@@ -301,6 +213,18 @@ TEST(DifferencesAnalysisTest, ranksThePublishedPlace) {
     EXPECT_EQ(run("differences", {{"step_deg", "7"}}).error().code, ErrorCode::Usage);
 }
 
+// The rotor has a radius of 45.6 mm.
+TEST(PlacementChoiceTest, sensorsInsideTheRotorAreRefusedEverywhere) {
+    for (const char* name : {"coverage", "place", "readings", "estimators", "differences"}) {
+        for (const char* radius_mm : {"40", "45.6"}) {
+            const auto result = run(name, {{"radius_mm", radius_mm}});
+            ASSERT_FALSE(result) << name;
+            EXPECT_EQ(result.error().code, ErrorCode::OutOfRange);
+            EXPECT_THAT(result.error().message, testing::HasSubstr("inside the rotor of 45.6 mm")) << name;
+        }
+    }
+}
+
 TEST(OrientationAnalysisTest, aMissingChannelIsLeftOutAndSaid) {
     devices::RecordedFile file = recordedPoses(50, 0.0);
     for (std::size_t row = 0; row < 50; ++row) {
@@ -332,7 +256,8 @@ TEST(OrientationAnalysisTest, wrongInputIsRefusedWithItsName) {
     EXPECT_THAT(message({{"q_T", "-0.1"}}), testing::HasSubstr("not positive"));
     EXPECT_THAT(message({{"estimator", "guess"}}), testing::HasSubstr("--estimator: 'guess'"));
     EXPECT_THAT(message({{"readings", "a,b"}}), testing::HasSubstr("2 names, not 9"));
-    EXPECT_THAT(message({{"placement", "0,0,0,0,0,0,45,45,-90"}}), testing::HasSubstr("same place"));
+    EXPECT_THAT(message({{"placement", "0,0,0,0,0,0,45,45,-90"}}),
+                testing::HasSubstr("Sensors 0 and 1 lie at the same place"));
     EXPECT_THAT(message({{"radius_mm", "40"}}), testing::HasSubstr("rotor"));
     auto layout = std::make_shared<StreamLayout>(*file.recording.layout);
     layout->columns[2].unit = "A";

@@ -92,7 +92,7 @@ TEST(AxisModelFile, namesFileAndPlaceOfWhatIsWrong) {
     EXPECT_NE(complaint(replaced(good, "axis-model/1", "axis-model/2")).find("m.json: \"schema\""),
               std::string::npos);
     EXPECT_NE(
-        complaint(replaced(good, "\"delay_samples\": 1", "\"delay_samples\": 1.5")).find("axis x: delay"),
+        complaint(replaced(good, "\"delay_samples\": 1", "\"delay_samples\": 1.5")).find("axes[0].delay_samples"),
         std::string::npos);
     EXPECT_NE(complaint(replaced(good, "m/(s^2*N)", "m/s^2")).find("axis x: acceleration gain"),
               std::string::npos);

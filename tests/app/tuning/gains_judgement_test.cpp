@@ -85,9 +85,23 @@ TEST(GainsJudgement, anotherTimingIsTold) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->code, "other_timing");
     TuneResult result;
-    addFinding(result, *found);
+    addOtherTiming(result, *found);
     EXPECT_EQ(result.warnings.size(), 1U);
     EXPECT_EQ(result.quality.findings.size(), 1U);
+    EXPECT_EQ(result.quality.verdict, Verdict::Doubtful);
+    result.quality.verdict = Verdict::Refused;
+    addOtherTiming(result, *found);
+    EXPECT_EQ(result.quality.verdict, Verdict::Refused);
+    EXPECT_FALSE(otherTiming({0.01F, 1}, {0.01, 1})); // single precision on the board
+}
+
+TEST(GainsJudgement, gainsOfAnotherPeriodAreNotForTheDevice) {
+    EXPECT_TRUE(checkPeriodOfGains({0.01F, 0}, {0.01, 2}));
+    for (const double period_s : {0.001, 0.005, 0.0101, 0.02, 1.0}) {
+        const auto fits = checkPeriodOfGains({period_s, 0}, {0.01, 0});
+        ASSERT_FALSE(fits) << period_s;
+        EXPECT_EQ(fits.error().code, ErrorCode::Refused);
+    }
 }
 
 TEST(GainsJudgement, aNumberThatIsNoneNeverBecomesAGain) {

@@ -150,9 +150,17 @@ TEST(CsvImport, missingCellsAreNanAndCounted) {
     const Result<CsvImport> read = import("t_s;a;b;\n0,5;;NaN;\n1,5;2,5;#N/A;\n2,5;inf;3;\n");
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(read->missing, 4U);
+    EXPECT_EQ(read->firstMissing, "line 2, column 2, 'a'");
     EXPECT_TRUE(std::isnan(read->recording.values[0]));
     EXPECT_EQ(read->recording.values[2], 2.5);
     EXPECT_EQ(read->recording.values[5], 3.0);
+}
+
+TEST(CsvImport, aMissingTimeIsNamedWithItsColumn) {
+    const auto read = import("a,t_s,b\n1,0,1\n2,,1\n3,0.2,1\n");
+    ASSERT_FALSE(read);
+    EXPECT_EQ(read.error().message.find("x.csv:3:3: the time is missing (column 2, 't_s')"), 0U)
+        << read.error().message;
 }
 
 TEST(CsvImport, rowsMissingInTheTimeAxisAreCounted) {
@@ -204,7 +212,7 @@ TEST_P(CsvImportDamage, isRefusedWithLineAndColumn) {
 INSTANTIATE_TEST_SUITE_P(Rows, CsvImportDamage,
                          testing::Values(Damage{"200,5\n", "202:1", "1 cells"},
                                          Damage{"200,5;1;2\n", "202:9", "3 cells"},
-                                         Damage{"200,5;x\n", "202:7", "'x' is not a number"},
+                                         Damage{"200,5;x\n", "202:7", "'x' is not a number (column 2"},
                                          Damage{"200,5;1.5\n", "202:7", "'1.5' is not a number"},
                                          Damage{"200,5;1.234\n", "202:7", "thousands"},
                                          Damage{"200,5;1 234\n", "202:7", "thousands"},

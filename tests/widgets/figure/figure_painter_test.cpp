@@ -132,6 +132,7 @@ TEST(FigurePainter, aDashedLineOfManyPointsHasItsGaps) {
     };
     // Qt's dashes are four widths long and two apart: a third of the line is left out.
     EXPECT_LT(inked(CurveStyle::DashedLine), 0.85 * inked(CurveStyle::Line));
+    EXPECT_LT(inked(CurveStyle::DashDotLine), 0.85 * inked(CurveStyle::Line));
 }
 
 TEST(FigurePainter, noLineRunsThroughALabel) {

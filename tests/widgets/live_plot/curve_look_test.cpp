@@ -79,6 +79,18 @@ TEST_F(CurveLookTest, aColourOfTheMenuIsThatOfTheSignalInAllPlots) {
     EXPECT_EQ(curve(0, 1).pattern(), LinePattern::Solid);
 }
 
+TEST_F(CurveLookTest, itsMenusShowThePresentChoice) {
+    choose(0, 1, {"Colour", "Purple"});
+    choose(0, 1, {"Line", "Dotted"});
+    QStringList shown;
+    for (const QAction* action : menuOf(0, 1)->actions()) {
+        if (action->menu() != nullptr && action->menu()->defaultAction() != nullptr) {
+            shown << action->menu()->defaultAction()->text();
+        }
+    }
+    EXPECT_EQ(shown, QStringList({"Purple", "Dotted"}));
+}
+
 TEST_F(CurveLookTest, aChosenLookComesBackWithItsSignal) {
     const PlotCurve first = stack.plots()[0].curves[0];
     choose(0, 0, {"Colour", "Grey"});

@@ -246,6 +246,25 @@ TEST(SensingBoard, placementsPointWhereTheyShall) {
     }
 }
 
+// Sensor 1 is at (0, 0, 45 degrees): without its angle it lies where sensor 0 does. Its own roll moves
+// nothing.
+TEST(SensingBoard, twoSensorsAtOnePlaceAreNotWritten) {
+    const auto device = openSphere("seed=1");
+    ASSERT_NE(device, nullptr);
+    const std::vector<ParameterValue> same = {{"sensor.gamma_1", 0.0}};
+    const auto refused = writeChosenValues(*device, same);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::OutOfRange);
+    EXPECT_THAT(refused.error().message, testing::HasSubstr("Sensors 0 and 1"));
+    const std::vector<std::string> name = {"sensor.gamma_1"};
+    EXPECT_NEAR(device->readParameters(name)->front(), Pi / 4.0, 1e-6);
+    const std::vector<ParameterValue> apart = {{"sensor.gamma_1", 0.1}, {"sensor.alpha_0", 0.3}};
+    EXPECT_TRUE(writeChosenValues(*device, apart));
+    EXPECT_NEAR(device->readParameters(name)->front(), 0.1, 1e-6);
+    const std::vector<ParameterValue> other = {{"sensor.deviation", 2e-4}};
+    EXPECT_TRUE(writeChosenValues(*device, other));
+}
+
 TEST(SensingBoard, valuesAndCalibrationAreEachOthersInverse) {
     const auto device = openSphere("frames=1");
     ASSERT_NE(device, nullptr);

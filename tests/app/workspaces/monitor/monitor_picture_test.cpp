@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace halbench::app {
@@ -70,6 +71,21 @@ TEST_F(MonitorPictureTest, theReferenceIsInThePictureDottedInItsCurvesColour) {
     EXPECT_EQ(curves[2].style, widgets::CurveStyle::DottedLine);
     EXPECT_EQ(curves[2].colour, 0);
     EXPECT_EQ(curves[3].colour, 1);
+}
+
+TEST_F(MonitorPictureTest, aCurveHasTheLineAndTheColourThatWereChosenForIt) {
+    const std::array<widgets::CurveStyle, widgets::LinePatterns> styles{
+        widgets::CurveStyle::Line, widgets::CurveStyle::DashedLine, widgets::CurveStyle::DottedLine,
+        widgets::CurveStyle::DashDotLine};
+    for (std::size_t i = 0; i < styles.size(); ++i) {
+        const auto pattern = static_cast<widgets::LinePattern>(i);
+        stack().setLooks({{"hall.b", {widgets::placeWith(3, pattern), {}}}});
+        stack().refresh();
+        const widgets::Figure figure = monitorSheets(stack(), bench().history()).front().figure;
+        EXPECT_EQ(figure.panels[0].curves[0].style, widgets::CurveStyle::Line);
+        EXPECT_EQ(figure.panels[0].curves[1].style, styles[i]) << i;
+        EXPECT_EQ(figure.panels[0].curves[1].colour, 3) << i;
+    }
 }
 
 TEST_F(MonitorPictureTest, aRecordingIsLaidUnderTheCurvesByKey) {

@@ -140,6 +140,38 @@ TEST_F(AxisTunePanelTest, aMeasuredResponseIsShownUntilItIsRemoved) {
     EXPECT_FALSE(remove->isVisible());
 }
 
+// The command line's file of a device with several axes; that of a motor is refused in place.
+TEST_F(AxisTunePanelTest, aMeasuredResponseIsOpenedFromAFile) {
+    open();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("response.json");
+    const auto chosen = [&](QWidget*, const FileQuestion&) { return path; };
+    auto* measure = find<QAbstractButton>(*panel, "Measured response\u2026");
+    EXPECT_FALSE(measure->isVisible());
+    panel->setFileChooser({chosen, chosen});
+    EXPECT_TRUE(measure->isVisible());
+    const auto write = [&](const char* text) {
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    };
+    write(R"({"schema": "halbench.frequency/1"})");
+    QTest::mouseClick(measure, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return shows("is not halbench.axis-frequency/1"); }));
+    EXPECT_FALSE(panel->loops().isMeasured("x"));
+    write(R"({"schema": "halbench.axis-frequency/1", "sample_period_s": 0.001, "delay_samples": 1,
+              "excitation": {"least_coherence": 0.9},
+              "axes": [{"axis": "x", "position_unit": "m", "effort_unit": "N",
+                        "gains": {"kp": 660, "ki": 1267, "kd": 39.8, "filter_s": 0.002}}],
+              "points": [{"frequency_hz": 5, "coherence": [0.99], "used": [true],
+                          "loops": [{"re": -2, "im": -1}]},
+                         {"frequency_hz": 10, "coherence": [0.5], "used": [false],
+                          "loops": [{"re": -0.5, "im": -1}]}]})");
+    QTest::mouseClick(measure, Qt::LeftButton);
+    ASSERT_TRUE(wait([&] { return panel->loops().isMeasured("x"); }));
+    EXPECT_TRUE(shows("1 of 2 frequencies"));
+}
+
 TEST_F(AxisTunePanelTest, theChosenAxisIsAppliedVerifiedAndRestored) {
     open();
     const double before = parameter("gain.x.kp");

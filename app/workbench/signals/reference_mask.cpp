@@ -1,4 +1,4 @@
-#include "app/workbench/reference_mask.h"
+#include "app/workbench/signals/reference_mask.h"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "app/workbench/signal_stretch.h"
+#include "app/workbench/signals/signal_stretch.h"
 #include "control/signals/spectrum.h"
 
 #include <gtest/gtest.h>

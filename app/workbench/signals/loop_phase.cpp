@@ -1,4 +1,4 @@
-#include "app/workbench/loop_phase.h"
+#include "app/workbench/signals/loop_phase.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The board's set-up of its capture on every way out. Of a board that lives on: a simulated one is new each
 // time.
-#include "app/workbench/loop_capture.h"
+#include "app/workbench/signals/loop_capture.h"
 #include "devices/transport/tcp_server.h"
 #include "tests/app/session/unplug_cycles.h"
 

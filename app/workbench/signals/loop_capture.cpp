@@ -1,4 +1,4 @@
-#include "app/workbench/loop_capture.h"
+#include "app/workbench/signals/loop_capture.h"
 
 #include <algorithm>
 #include <utility>

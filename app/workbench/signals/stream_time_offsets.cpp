@@ -1,4 +1,4 @@
-#include "app/workbench/stream_time_offsets.h"
+#include "app/workbench/signals/stream_time_offsets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/workbench/reference_hold.h"
+#include "app/workbench/signals/reference_hold.h"
 
 #include <gtest/gtest.h>
 
