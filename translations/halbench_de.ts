@@ -9372,7 +9372,7 @@
     </message>
     <message>
         <source>write a number, or leave the cell empty where a value is missing; remove a column of words; or set the format with --separator, --decimal and --header</source>
-        <translation>eine Zahl schreiben, oder die Zelle leer lassen, wo ein Wert fehlt; eine Spalte mit Wörtern entfernen; oder das Format mit --separator, --decimal und --header setzen</translation>
+        <translation>schreiben Sie eine Zahl, oder lassen Sie die Zelle leer, wo ein Wert fehlt; entfernen Sie eine Spalte mit Wörtern; oder geben Sie das Format mit --separator, --decimal und --header an</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is not a number (column {}, &apos;{}&apos;)</source>
@@ -9380,7 +9380,7 @@
     </message>
     <message>
         <source>write numbers like -1{}5e-3, leave the cell empty where a value is missing, or set --decimal</source>
-        <translation>Zahlen wie -1{}5e-3 schreiben, die Zelle leer lassen, wo ein Wert fehlt, oder --decimal setzen</translation>
+        <translation>schreiben Sie Zahlen wie -1{}5e-3, lassen Sie die Zelle leer, wo ein Wert fehlt, oder geben Sie --decimal an</translation>
     </message>
     <message>
         <source>the time is missing (column {}, &apos;{}&apos;)</source>
@@ -9412,7 +9412,7 @@
     </message>
     <message>
         <source>correct the value or write the file again</source>
-        <translation>den Wert berichtigen oder die Datei neu schreiben</translation>
+        <translation>berichtigen Sie den Wert, oder schreiben Sie die Datei neu</translation>
     </message>
     <message>
         <source>is {}, no variance is negative</source>
@@ -9432,7 +9432,7 @@
     </message>
     <message>
         <source>they are missing values of the recording; enter them in the table where they are known</source>
-        <translation>sie sind fehlende Werte der Aufzeichnung; wo sie bekannt sind, in die Tabelle eintragen</translation>
+        <translation>sie sind fehlende Werte der Aufzeichnung; tragen Sie sie in die Tabelle ein, wo sie bekannt sind</translation>
     </message>
     <message>
         <source>is {}, must be below {}, half of the sampling rate</source>
@@ -9444,11 +9444,11 @@
     </message>
     <message>
         <source>remove these rows (the first is line {} of a CSV file) or enter their values</source>
-        <translation>diese Zeilen entfernen (die erste ist Zeile {} einer CSV-Datei) oder ihre Werte eintragen</translation>
+        <translation>entfernen Sie diese Zeilen (die erste ist Zeile {} einer CSV-Datei), oder tragen Sie ihre Werte ein</translation>
     </message>
     <message>
         <source>the gains are for a sampling period of {} s, this device has {} s</source>
-        <translation>die Verstärkungen sind für eine Abtastperiode von {} s, dieses Gerät hat {} s</translation>
+        <translation>die Reglerparameter sind für eine Abtastperiode von {} s, dieses Gerät hat {} s</translation>
     </message>
 </context>
 <context>

@@ -9368,47 +9368,47 @@
     </message>
     <message>
         <source>&apos;{}&apos; is not a number ({})</source>
-        <translation>&apos;{}&apos; 不是数({})</translation>
+        <translation>&apos;{}&apos; 不是数（{}）</translation>
     </message>
     <message>
         <source>write a number, or leave the cell empty where a value is missing; remove a column of words; or set the format with --separator, --decimal and --header</source>
-        <translation>请填写数,缺少值时将单元格留空;删除文字列;或用 --separator、--decimal 和 --header 设置格式</translation>
+        <translation>请填写数，缺少值时将单元格留空；删除文字列；或用 --separator、--decimal 和 --header 设置格式</translation>
     </message>
     <message>
         <source>&apos;{}&apos; is not a number (column {}, &apos;{}&apos;)</source>
-        <translation>&apos;{}&apos; 不是数(第 {} 列,&apos;{}&apos;)</translation>
+        <translation>&apos;{}&apos; 不是数（第 {} 列，&apos;{}&apos;）</translation>
     </message>
     <message>
         <source>write numbers like -1{}5e-3, leave the cell empty where a value is missing, or set --decimal</source>
-        <translation>请按 -1{}5e-3 的形式写数,缺少值时将单元格留空,或设置 --decimal</translation>
+        <translation>请按 -1{}5e-3 的形式写数，缺少值时将单元格留空，或设置 --decimal</translation>
     </message>
     <message>
         <source>the time is missing (column {}, &apos;{}&apos;)</source>
-        <translation>缺少时间(第 {} 列,&apos;{}&apos;)</translation>
+        <translation>缺少时间（第 {} 列，&apos;{}&apos;）</translation>
     </message>
     <message>
         <source>line {}, column {}, &apos;{}&apos;</source>
-        <translation>第 {} 行第 {} 列,&apos;{}&apos;</translation>
+        <translation>第 {} 行第 {} 列，&apos;{}&apos;</translation>
     </message>
     <message>
         <source>is {}, must be a whole number not below {}</source>
-        <translation>为 {},必须是不小于 {} 的整数</translation>
+        <translation>为 {}，必须是不小于 {} 的整数</translation>
     </message>
     <message>
         <source>is {}, must be a whole number from {} to {}</source>
-        <translation>为 {},必须是 {} 到 {} 的整数</translation>
+        <translation>为 {}，必须是 {} 到 {} 的整数</translation>
     </message>
     <message>
         <source>is {}, must be from {} to {}</source>
-        <translation>为 {},必须在 {} 到 {} 之间</translation>
+        <translation>为 {}，必须在 {} 到 {} 之间</translation>
     </message>
     <message>
         <source>is {}, must be above {}</source>
-        <translation>为 {},必须大于 {}</translation>
+        <translation>为 {}，必须大于 {}</translation>
     </message>
     <message>
         <source>is {}, must not be below {}</source>
-        <translation>为 {},不得小于 {}</translation>
+        <translation>为 {}，不得小于 {}</translation>
     </message>
     <message>
         <source>correct the value or write the file again</source>
@@ -9416,39 +9416,39 @@
     </message>
     <message>
         <source>is {}, no variance is negative</source>
-        <translation>为 {},方差不会为负</translation>
+        <translation>为 {}，方差不会为负</translation>
     </message>
     <message>
         <source>is {} and [{}][{}] {}: must be equal</source>
-        <translation>为 {},而 [{}][{}] 为 {}:必须相等</translation>
+        <translation>为 {}，而 [{}][{}] 为 {}：必须相等</translation>
     </message>
     <message>
         <source>is {}, a correlation beyond 1: at most {}</source>
-        <translation>为 {},相关系数超过 1:至多 {}</translation>
+        <translation>为 {}，相关系数超过 1：至多 {}</translation>
     </message>
     <message>
         <source>cells without a number: {}, the first in {}</source>
-        <translation>没有数的单元格:{},第一个在{}</translation>
+        <translation>没有数的单元格：{}，第一个在{}</translation>
     </message>
     <message>
         <source>they are missing values of the recording; enter them in the table where they are known</source>
-        <translation>它们是记录中的缺失值;已知时请填入表格</translation>
+        <translation>它们是记录中的缺失值；已知时请填入表格</translation>
     </message>
     <message>
         <source>is {}, must be below {}, half of the sampling rate</source>
-        <translation>为 {},必须小于采样率的一半 {}</translation>
+        <translation>为 {}，必须小于采样率的一半 {}</translation>
     </message>
     <message>
         <source>{} has no value at {} s (row {}, {} such rows)</source>
-        <translation>{} 在 {} s 处没有值(第 {} 行数据,共 {} 行如此)</translation>
+        <translation>{} 在 {} s 处没有值（第 {} 行数据，共 {} 行如此）</translation>
     </message>
     <message>
         <source>remove these rows (the first is line {} of a CSV file) or enter their values</source>
-        <translation>请删除这些行(第一行是 CSV 文件的第 {} 行)或填入其值</translation>
+        <translation>请删除这些行（第一行是 CSV 文件的第 {} 行）或填入其值</translation>
     </message>
     <message>
         <source>the gains are for a sampling period of {} s, this device has {} s</source>
-        <translation>这些增益用于 {} s 的采样周期,此设备为 {} s</translation>
+        <translation>这些增益用于 {} s 的采样周期，此设备为 {} s</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 #include "app/documents/axes_frequency_file.h"
 
 #include "app/documents/axes_frequency_documents.h"
+#include "app/documents/document_limits.h"
 #include "app/documents/document_parts.h"
 #include "app/documents/text/output_file.h"
 #include "control/base/units.h"
@@ -163,6 +164,9 @@ Result<AxesFrequencyFile> parseAxesFrequency(const std::string& text, const std:
     if (qualityOf(member(&*root, "data_quality")).verdict == Verdict::Refused) {
         return failure(ErrorCode::Refused, origin + ": this response was rejected",
                        "check its findings, then measure again");
+    }
+    if (const Result<void> possible = checkLimits(*root, origin); !possible) {
+        return failure(possible.error());
     }
     auto axes = axesOf(*root, origin);
     if (!axes) {

@@ -107,6 +107,11 @@ TEST(AxesFrequencyFile, placeOfAnErrorIsNamed) {
               std::string::npos);
     EXPECT_NE(place(replaced(good, "\"sample_period_s\": 0.001", "\"sample_period_s\": 0")).find("sample"),
               std::string::npos);
+    EXPECT_NE(
+        place(replaced(good, "\"delay_samples\": 1", "\"delay_samples\": 2.5")).find("\"delay_samples\" is"),
+        std::string::npos);
+    EXPECT_NE(place(replaced(good, "0.99", "1.2")).find("\"points[0].coherence[0]\" is 1.2"),
+              std::string::npos);
     AxesFrequencyResult empty = measured();
     empty.points.clear();
     EXPECT_NE(place(written(empty)).find("points"), std::string::npos);
