@@ -134,8 +134,8 @@ class Import(ProgramCase):
         for arguments in (["sure.csv", "--preview"], ["unsure.csv", "--preview"], ["sure.csv", "--out", "o.csv"]):
             answer = self.accept("import", *arguments, "--json").json()
             validator.validate(answer)
-        self.assertEqual({f["code"] for f in answer["data_quality"]["findings"]}, {"unit_not_known", "time_not_uniform",
-                                                                                   "rows_lost"})
+        self.assertEqual({f["code"] for f in answer["data_quality"]["findings"]},
+                         {"unit_not_known", "time_not_uniform", "rows_lost", "missing_values"})
 
 
 if __name__ == "__main__":
