@@ -25,7 +25,7 @@ struct Pace {
     double speed_ratio = 1.0;
 };
 
-/// What the connection last knew of its device.
+/// State of the device and of its link, as the connection last knew them.
 struct ConnectionReport {
     devices::DeviceState board;
     devices::LinkStatistics statistics;

@@ -7,7 +7,7 @@
 
 namespace halbench::app {
 
-/// What a judgement is made with.
+/// Settings of a judgement of gains.
 struct JudgedWith {
     std::uint64_t seed = 1; ///< of the drawn motors
     double load_A = DisturbanceLoad_A;

@@ -20,7 +20,7 @@ enum class CalibrationKind {
     Coil,      ///< field of the coil in a channel
 };
 
-/// What is fitted; the rest keeps its nominal value.
+/// Unknowns that a calibration fits; the rest keeps its nominal value.
 struct CalibrationSelection {
     bool strength = true;
     bool harmonics = false; ///< amplitudes of all terms of the nominal field

@@ -17,10 +17,10 @@ struct MeasuredTiming {
     bool operator==(const MeasuredTiming&) const = default;
 };
 
-/// What a device says of itself: its delay is among `values`.
+/// Timing of the position loop from what a device says of itself: its delay is among `values`.
 MeasuredTiming timingOf(const devices::Catalogue& catalogue, std::span<const ParameterValue> values);
 
-/// What is known of it, else `otherwise`.
+/// Measured timing as far as it is known, else `otherwise`.
 control::LoopTiming timingOr(const MeasuredTiming& measured, control::LoopTiming otherwise);
 
 /// Equal up to the single precision of a board.

@@ -12,7 +12,7 @@ struct MoveTask {
     double speedLimit = 0.0;
 };
 
-/// Of the board and for the axis: twice the reference and a margin, within what the board takes.
+/// Position window of a move: twice the reference and the margin of the axis, within what the board takes.
 double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& config,
                        const devices::AxisSpec& axis);
 

@@ -5,10 +5,10 @@
 
 namespace halbench::app {
 
-/// How much later than on the device's clock the history has its rows. A stream that began anew follows the
-/// one before there (control/history/sample_history.h), by some milliseconds; a clock that began again, by
-/// all of its time. Each stretch of the history keeps its own, so that a moment of the plots can be told on
-/// the device's clock as exactly as its rows came. Thread: GUI.
+/// Time offsets of the history's rows: how much later it has them than the device's clock. A stream that
+/// began anew follows the one before there (control/history/sample_history.h), by some milliseconds; a clock
+/// that began again, by all of its time. Each stretch of the history keeps its own, so that a moment of the
+/// plots can be told on the device's clock as exactly as its rows came. Thread: GUI.
 class StreamTimeOffsets {
 public:
     /// A block's rows are in the history from `begin_s` on, so much later than they say themselves.

@@ -17,7 +17,7 @@ double decade_dB(control::SpectrumScale scale);
 widgets::SpectrogramPicture spectrogramPicture(const control::Spectrogram& spectrogram,
                                                control::SpectrumScale scale, const SpectrumLook& look);
 
-/// What stands below it: distance of lines and resolution, segments and how far they are apart.
+/// Caption of a spectrogram: distance of lines and resolution, segments and how far they are apart.
 QString spectrogramWords(const control::Spectrogram& spectrogram, control::WindowShape window);
 
 } // namespace halbench::app

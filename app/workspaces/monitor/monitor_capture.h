@@ -19,7 +19,7 @@ class LivePlotStack;
 
 namespace halbench::app {
 
-/// What a trigger says of itself: in short, and all of it.
+/// Trigger in words: in short, and all of it.
 struct TriggerWords {
     QString words;
     QString sentence;

@@ -15,7 +15,7 @@ class QLabel;
 
 namespace halbench::app {
 
-/// What must be so before a procedure may move the rotor.
+/// State of session and board that decides whether a procedure may move the rotor.
 struct PreflightFacts {
     SessionState state = SessionState::Disconnected;
     devices::DeviceState board;

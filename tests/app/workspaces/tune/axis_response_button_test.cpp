@@ -29,7 +29,8 @@ protected:
         plants.reset();
         error.reset();
         QTest::mouseClick(&button, Qt::LeftButton);
-        return QTest::qWaitFor([this] { return plants || error; });
+        constexpr int Patience_ms = 60000; // a busy machine
+        return QTest::qWaitFor([this] { return plants || error; }, Patience_ms);
     }
     static QByteArray response(const QByteArray& device, const QByteArray& axis, const QByteArray& unit) {
         return R"({"schema": "halbench.axis-frequency/1", "sample_period_s": 0.001, "delay_samples": 1,
