@@ -90,7 +90,8 @@ void judge(const ApplyVerification& verification, ApplyResult& result) {
 }
 
 /// Measured against predicted at the same time; between two rows of the prediction on the straight line.
-void compareCurves(const Recording& measured, const std::string& position, VerificationBand& band) {
+void compareCurves(const MoveResult& move, const std::string& position, VerificationBand& band) {
+    const Recording& measured = move.recording;
     const std::vector<double> position_rad = measured.column(position);
     const models::IdealTrace& predicted = band.predicted;
     for (std::size_t i = 0; i < position_rad.size(); ++i) {
@@ -104,7 +105,7 @@ void compareCurves(const Recording& measured, const std::string& position, Verif
             (time_s - predicted.time_s[next - 1]) / (predicted.time_s[next] - predicted.time_s[next - 1]);
         const double angle_rad =
             std::lerp(predicted.angle_rad[next - 1], predicted.angle_rad[next], share_ratio);
-        const double off_rad = position_rad[i] - position_rad.front() - angle_rad;
+        const double off_rad = position_rad[i] - move.restPosition - angle_rad;
         if (std::fabs(off_rad) > std::fabs(band.largestOff_rad)) {
             band.largestOff_rad = off_rad;
             band.largestOffTime_s = time_s;
@@ -168,8 +169,9 @@ Result<MotionEnvelope> bandOf(const ApplyVerification& verification, const contr
 
 /// The angle of a move in rows 1 ms apart, from where the rotor was: the board may send fewer, and some may
 /// be lost. Ends where the recording does.
-std::vector<double> everyMillisecond(const Recording& move, const std::string& position) {
+std::vector<double> everyMillisecond(const MoveResult& result, const std::string& position) {
     constexpr double Row_s = 1e-3;
+    const Recording& move = result.recording;
     const std::vector<double> position_rad = move.column(position);
     std::vector<double> angle_rad;
     std::size_t next = 0;
@@ -184,8 +186,7 @@ std::vector<double> everyMillisecond(const Recording& move, const std::string& p
         const std::size_t before = next == 0 ? 0 : next - 1;
         const double step_s = move.time_s[next] - move.time_s[before];
         const double share = step_s > 0.0 ? (time_s - move.time_s[before]) / step_s : 1.0;
-        angle_rad.push_back(std::lerp(position_rad[before], position_rad[next], share) -
-                            position_rad.front());
+        angle_rad.push_back(std::lerp(position_rad[before], position_rad[next], share) - result.restPosition);
     }
     return angle_rad;
 }
@@ -194,7 +195,7 @@ std::vector<double> everyMillisecond(const Recording& move, const std::string& p
 /// uncertainty of the model allows.
 void judgeWay(const ApplyVerification& verification, const MotionEnvelope& band, const std::string& position,
               ApplyResult& result) {
-    const std::vector<double> angle_rad = everyMillisecond(result.verification->recording, position);
+    const std::vector<double> angle_rad = everyMillisecond(*result.verification, position);
     result.band->widening_ratio = neededWidening_ratio(band, angle_rad, 0.0);
     BandCheck check(band);
     for (std::size_t row = 0; row < angle_rad.size(); ++row) {
@@ -397,7 +398,7 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& wanted
     result.band->friction_rad = frictionBand_rad(*plant, *law);
     const std::string position =
         verification.axis ? signalOf(device.catalogue(), verification.axis->roles.position) : "position";
-    compareCurves(seen->recording, position, *result.band);
+    compareCurves(*seen, position, *result.band);
     judgeData(verification, result);
     judgeWay(verification, *band, position, result);
     judgeEffort(verification, *plant, device.catalogue(), result);

@@ -98,6 +98,9 @@ struct MoveResult {
     MoveFigures measured;
     std::optional<MoveFigures> truth; ///< on a device that knows the true position
     Recording recording;              ///< from the start of the reference; time from 0
+    /// Mean position of the axis while it was held, just before the reference began: one reading alone would
+    /// shift the whole motion by its noise.
+    double restPosition = 0.0;
     // Nothing where the board does not report it.
     std::optional<double> peakCurrent_A;
     std::optional<double> highestTemperature_degC; ///< of the coils, where the board reports it

@@ -24,6 +24,26 @@ AxisColumns columnsOf(const devices::Catalogue& catalogue, const devices::AxisSp
             signalOf(catalogue, axis.roles.effort), signalOf(catalogue, axis.roles.truePosition)};
 }
 
+/// Mean over the last part of the hold, which is long enough to average the noise of readings and short
+/// enough to be at rest.
+double restPosition(const std::vector<double>& time_s, const std::vector<double>& position,
+                    std::size_t firstRow) {
+    if (position.empty()) {
+        return 0.0; // a board that does not report it has no figures either, and the move fails for that
+    }
+    constexpr double Longest_s = 0.1;
+    constexpr double Hold_ratio = 0.25; // a hold of 50 ms begins with the way to its rest
+    const double held_s = time_s[firstRow - 1] - time_s.front();
+    const double from_s = time_s[firstRow - 1] - std::min(Longest_s, Hold_ratio * held_s);
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t row = firstRow; row > 0 && time_s[row - 1] >= from_s; --row) {
+        sum += position[row - 1];
+        ++count;
+    }
+    return sum / count; // one row at least
+}
+
 struct Origin {
     std::size_t firstRow = 0; ///< of the reference
     double reference = 0.0;
@@ -325,6 +345,8 @@ Result<MoveResult> judgeRecording(Recording recording, const MoveConfig& config,
     if (!second || !others) {
         return failure(!second ? second.error() : others.error());
     }
+    const std::vector<double> position = recording.column(first.columns.position);
+    const double rest = restPosition(recording.time_s, position, moved->origin.firstRow);
     cut(recording, moved->origin, config);
     const double rowsPerReference = loopPeriod_s(catalogue) * config.rate_Hz;
     auto figures = figuresOf(recording, *moved, config, rowsPerReference);
@@ -333,6 +355,7 @@ Result<MoveResult> judgeRecording(Recording recording, const MoveConfig& config,
     }
     MoveResult result;
     result.axis = task.axis;
+    result.restPosition = rest;
     result.lockThreshold = config.lockThreshold;
     result.measured = std::move(figures->measured);
     result.truth = std::move(figures->truth);

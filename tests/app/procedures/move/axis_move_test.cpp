@@ -155,6 +155,28 @@ TEST(AxisMove, tellsWhatTheOtherAxesDidMeanwhile) {
     EXPECT_LT(*result.others[1].truth, 0.5 * 1.1e-3 / 3.9);
 }
 
+// A motion that counts from one reading is shifted by the noise of that reading: 77 urad rms of the angle and
+// more where chips see little field. The loop integrates, so the platen is held where its reference is.
+TEST(AxisMove, restPositionIsTheMeanOfTheHold) {
+    constexpr double Noise_rad = 77e-6; // resources/help/planar-theory.md section 11
+    double largestOfFirstRow_rad = 0.0;
+    for (int seed = 1; seed <= 12; ++seed) {
+        const auto device = openPlaten("seed=" + std::to_string(seed));
+        ASSERT_NE(device, nullptr);
+        const MoveResult result = moved(*device, moveOf("phi", "step,amplitude_mrad=5", 0.5));
+        const Recording& recording = result.recording;
+        const double held_rad =
+            recording.column(signalOf(device->catalogue(), result.axis.roles.reference)).back() - 0.005;
+        // 100 readings; their noise moves the held platen too, which makes neighbours alike: three times the
+        // error of independent ones, and of that four sigma.
+        EXPECT_NEAR(result.restPosition, held_rad, 4.0 * 3.0 * Noise_rad / 10.0) << seed;
+        const double first_rad =
+            recording.column(signalOf(device->catalogue(), result.axis.roles.position)).front();
+        largestOfFirstRow_rad = std::max(largestOfFirstRow_rad, std::fabs(first_rad - held_rad));
+    }
+    EXPECT_GT(largestOfFirstRow_rad, Noise_rad); // of twelve, or the case shows nothing
+}
+
 TEST(AxisMove, homesABoardThatKnowsNoZeroAndPutsEverythingBack) {
     const auto device = openPlaten("imperfections=off");
     ASSERT_NE(device, nullptr);
