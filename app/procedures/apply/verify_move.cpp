@@ -321,12 +321,20 @@ std::optional<ApplyVerification> withSeenNoise(const ApplyVerification& verifica
     return wider;
 }
 
+/// A verification move, and whether one like it must come before.
+struct PlacedVerification {
+    ApplyVerification verification;
+    bool isFarOut = false;
+};
+
 /// An axis with an end may stand at it, since a platen without current glides: its step leads back to the
-/// middle of its travel, where its zero is.
-Result<ApplyVerification> towardsMiddle(devices::Device& device, ApplyVerification verification,
-                                        const ProcedureObserver& observer) {
+/// middle of its travel, where its zero is. Pressed against the end its loop would wind up while it is held,
+/// and the step be another than predicted: farther out than two steps it makes one before.
+Result<PlacedVerification> towardsMiddle(devices::Device& device, ApplyVerification verification,
+                                         const ProcedureObserver& observer) {
+    constexpr double NearSteps = 2.0; // within them an axis has the room that its verification takes
     if (!verification.axis || verification.axis->turnsForever || verification.band) {
-        return verification;
+        return PlacedVerification{verification};
     }
     if (auto known = awaitZero(device, observer); !known) {
         return failure(known.error());
@@ -338,7 +346,21 @@ Result<ApplyVerification> towardsMiddle(devices::Device& device, ApplyVerificati
     }
     const double distance = std::fabs(verification.reference.amplitude);
     verification.reference.amplitude = position->front() > 0.0 ? -distance : distance;
-    return verification;
+    return PlacedVerification{verification, std::fabs(position->front()) > NearSteps * distance};
+}
+
+/// The move that is judged, after one like it where the axis may stand at its end.
+Result<MoveResult> moveForVerification(devices::Device& device, const PlacedVerification& placed,
+                                       const ProcedureObserver& observer) {
+    ProcedureObserver quiet = observer;
+    quiet.onState = nullptr; // all of the move is one state here
+    const MoveConfig config = moveOf(placed.verification);
+    if (placed.isFarOut) {
+        if (auto nearer = performMove(device, config, quiet); !nearer) {
+            return nearer;
+        }
+    }
+    return performMove(device, config, quiet);
 }
 
 } // namespace
@@ -360,7 +382,7 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& wanted
     if (!placed) {
         return failure(placed.error());
     }
-    const ApplyVerification& verification = *placed;
+    const ApplyVerification& verification = placed->verification;
     const auto plant = plantFromEstimate(verification.motor);
     if (!plant) {
         return failure(plant.error());
@@ -382,9 +404,7 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& wanted
     if (!band) {
         return failure(band.error());
     }
-    ProcedureObserver quiet = observer;
-    quiet.onState = nullptr; // all of the move is one state here
-    const auto seen = performMove(device, moveOf(verification), quiet);
+    const auto seen = moveForVerification(device, *placed, observer);
     if (!seen) {
         return failure(seen.error());
     }
