@@ -197,7 +197,7 @@ Result<void> measure(devices::Device& device, const CalibrateConfig& config,
         return failure(board.error());
     }
     bool wasHomed = true;
-    const auto room = findRoom(device, *board, observer, wasHomed);
+    const auto room = findStraightRoom(device, *board, observer, wasHomed);
     if (!room) {
         return failure(room.error());
     }

@@ -66,7 +66,7 @@ Result<AxesIdentifyResult> measure(devices::Device& device, const IdentifyConfig
         return failure(board.error());
     }
     bool wasHomed = true;
-    const auto room = findRoom(device, *board, observer, wasHomed);
+    const auto room = findStraightRoom(device, *board, observer, wasHomed);
     if (!room) {
         return failure(room.error());
     }

@@ -97,7 +97,10 @@ void goToLines(Itinerary& itinerary, const PlatenRoom& room) {
 
 void goBack(Itinerary& itinerary, const PlatenRoom& room) {
     constexpr double Speed_m_s = 0.1, Speed_rad_s = 0.1;
-    itinerary.goTo(2, room.start.angle_rad, Speed_rad_s, "goes back", false);
+    // Not into the end stop at which a platen without current may have stood.
+    constexpr double Farthest_rad = 0.5 * TravelAngle_rad;
+    const double angle_rad = std::clamp(room.start.angle_rad, -Farthest_rad, Farthest_rad);
+    itinerary.goTo(2, angle_rad, Speed_rad_s, "goes back", false);
     itinerary.goTo(0, room.start.x_m, Speed_m_s, "goes back", false);
     itinerary.goTo(1, room.start.y_m, Speed_m_s, "goes back", false);
 }
@@ -136,6 +139,13 @@ double durationOf(const std::vector<MotionLeg>& legs) {
         whole_s += leg.duration_s;
     }
     return whole_s;
+}
+
+std::vector<MotionLeg> straighteningLegs(const PlatenRoom& room) {
+    constexpr double Speed_rad_s = 0.05;
+    Itinerary itinerary(room.start);
+    itinerary.goTo(2, 0.0, Speed_rad_s, "turns straight", false);
+    return std::move(itinerary).legs();
 }
 
 std::vector<MotionLeg> identificationLegs(const PlatenRoom& room) {

@@ -8,6 +8,9 @@
 
 namespace halbench::app {
 
+/// From the middle to an end stop in angle (resources/help/planar-theory.md section 3).
+constexpr double TravelAngle_rad = 20e-3;
+
 /// Reference of one axis during one leg, from where the axis is held.
 struct AxisWave {
     enum class Shape { Hold, Travel, Chirp };
@@ -31,6 +34,9 @@ struct MotionLeg {
 std::vector<MotionLeg> identificationLegs(const PlatenRoom& room);
 /// Slow travels over the room on lines of y and of x, with the platen turned a little either way.
 std::vector<MotionLeg> calibrationLegs(const PlatenRoom& room);
+
+/// Turns the platen to zero where it stands.
+std::vector<MotionLeg> straighteningLegs(const PlatenRoom& room);
 
 double durationOf(const std::vector<MotionLeg>& legs);
 

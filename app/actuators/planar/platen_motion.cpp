@@ -238,12 +238,13 @@ Error withDrift(Error error, devices::Device& device, const PlatenPlace& start) 
     return error;
 }
 
+/// `body` moves the platen; it is told where that begins, and may say that it begins anew.
 template <typename Body>
 Result<PlatenMotion> recorded(devices::Device& device, const PlatenBoard& board,
                               const ProcedureObserver& observer, Body body) {
     const devices::LinkStatistics before = device.statistics();
     const double start_s = device.clock().now_s();
-    const auto start = placeOf(device);
+    auto start = placeOf(device);
     if (!start) {
         return failure(start.error());
     }
@@ -252,7 +253,7 @@ Result<PlatenMotion> recorded(devices::Device& device, const PlatenBoard& board,
     if (auto started = recorder.start(wantedSignals(), Rate_Hz); !started) {
         return failure(started.error());
     }
-    if (const Result<void> done = body(); !done) {
+    if (const Result<void> done = body(*start); !done) {
         return failure(withDrift(recorder.causeOf(done.error()), device, *start));
     }
     auto recording = recorder.finish();
@@ -281,7 +282,21 @@ Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& bo
     if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
         return failure(entered.error());
     }
-    return recorded(device, board, observer, [&] { return follow(device, legs, observer); });
+    return recorded(device, board, observer, [&](PlatenPlace&) { return follow(device, legs, observer); });
+}
+
+Result<PlatenRoom> findStraightRoom(devices::Device& device, const PlatenBoard& board,
+                                    const ProcedureObserver& observer, bool& wasHomed) {
+    constexpr double Farthest_rad = 0.5 * TravelAngle_rad;
+    auto room = findRoom(device, board, observer, wasHomed);
+    if (!room || std::fabs(room->start.angle_rad) <= Farthest_rad) {
+        return room;
+    }
+    ProcedureObserver quiet = observer;
+    quiet.onState = nullptr; // part of the preparation
+    const auto turned = recordMotion(device, board, straighteningLegs(*room), quiet);
+    bool isHomed = true;
+    return turned ? findRoom(device, board, observer, isHomed) : failure(turned.error());
 }
 
 Result<PlatenMotion> recordPulses(devices::Device& device, const PlatenBoard& board,
@@ -290,11 +305,17 @@ Result<PlatenMotion> recordPulses(devices::Device& device, const PlatenBoard& bo
     if (auto prepared = prepare(device); !prepared) {
         return failure(prepared.error());
     }
-    return recorded(device, board, observer, [&]() -> Result<void> {
+    return recorded(device, board, observer, [&](PlatenPlace& start) -> Result<void> {
         if (auto done = switchTo(device, CoilCurrents); !done) {
             return done;
         }
         for (int coil = 1; coil <= models::CoilCount; ++coil) {
+            const auto here =
+                placeOf(device); // it glides between the pulses, and the window counts from here
+            if (!here) {
+                return failure(here.error());
+            }
+            start = *here;
             if (auto pulsed = pulse(device, observer, coil, current_A); !pulsed) {
                 return pulsed;
             }

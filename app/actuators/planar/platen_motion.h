@@ -17,6 +17,12 @@ struct PlatenMotion {
     bool wasHomed = true; ///< before it began
 };
 
+/// As findRoom(), of a platen that stands straight enough: turned so far that it may lean on its end stop, it
+/// is turned back first, since the motion would leave the window or the loop wind up against the stop.
+/// Errors: of findRoom() and recordMotion().
+Result<PlatenRoom> findStraightRoom(devices::Device& device, const PlatenBoard& board,
+                                    const ProcedureObserver& observer, bool& wasHomed);
+
 /// Homes when needed, arms in position mode, follows the legs and disarms; the caller holds the RestoreGuard.
 /// Errors: Refused (no zero, coils too warm), SafetyStop, of the device, of the abort.
 Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& board,

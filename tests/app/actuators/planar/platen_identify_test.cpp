@@ -2,6 +2,7 @@
 #include "app/actuators/planar/platen_identify.h"
 #include "app/actuators/planar/platen_procedures.h"
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/move/move_procedure.h"
 #include "tests/app/actuators/planar/simulated_platen.h"
 
 #include <cmath>
@@ -123,6 +124,30 @@ TEST(PlatenIdentify, refusesAPlatenWithoutRoomBeforeItMoves) {
     EXPECT_NE(result.error().message.find("no room for a pitch along x"), std::string::npos)
         << result.error().message;
     EXPECT_FALSE(device->state().isArmed);
+}
+
+// A platen without current glides until it leans on the stop of its turn, 20 mrad (section 3): from there a
+// turn to the other side leaves the window of 30 mrad.
+TEST(PlatenIdentify, aPlatenThatLeansOnItsStopIsTurnedStraightFirst) {
+    for (const double angle_rad : {0.023, -0.023}) { // beyond the stop
+        const auto device = openPlaten("");
+        ASSERT_NE(device, nullptr);
+        MoveConfig there;
+        there.axis = "phi";
+        there.reference.shape = MoveReference::Shape::Step;
+        there.reference.amplitude = angle_rad;
+        ASSERT_TRUE(performMove(*device, there, {}));
+        const AxesIdentifyResult result = identified(*device, givenMass(0.64));
+        EXPECT_NE(result.quality.verdict, Verdict::Refused) << angle_rad;
+        const control::Estimate* inertia = estimateIn(result.constants, "inertia");
+        ASSERT_NE(inertia, nullptr);
+        EXPECT_TRUE(holds(*inertia, 1e-3)) << angle_rad;
+        const auto phi_rad = result.recording.column("position.phi");
+        ASSERT_FALSE(phi_rad.empty());
+        for (const double place_rad : {phi_rad.front(), phi_rad.back()}) {
+            EXPECT_LT(std::fabs(place_rad), 0.012) << angle_rad; // half of the way to the stop, and noise
+        }
+    }
 }
 
 TEST(PlatenIdentify, putsEverythingBackWhereverItEnds) {
