@@ -8,6 +8,7 @@
 #include "app/procedures/frequency/axes_excitation.h"
 #include "app/procedures/frequency/axes_frequency_judge.h"
 #include "app/procedures/frequency/axes_frequency_plan.h"
+#include "app/procedures/move/leave_end.h"
 #include "app/procedures/tune/position_law_parameters.h"
 
 #include <fmt/format.h>
@@ -98,14 +99,19 @@ double meanSquare_A2(const AxesFrequencyRun& run, const devices::Catalogue& cata
 
 Result<AxesFrequencyResult> measure(devices::Device& device, AxesFrequencyRun run,
                                     const ProcedureObserver& observer) {
-    if (auto prepared = prepareBoard(device); !prepared) {
-        return failure(prepared.error());
-    }
     if (auto heat = admitHeat(device, observer, meanSquare_A2(run, device.catalogue()),
                               run.plan.duration_s(run.config.periods), run.config.pauseTemperature_degC,
                               run.config.refuseTemperature_degC);
         !heat) {
         return failure(heat.error());
+    }
+    for (const devices::AxisSpec& axis : run.axes) {
+        if (auto left = leaveEnd(device, axis, observer); !left) {
+            return failure(left.error());
+        }
+    }
+    if (auto prepared = prepareBoard(device); !prepared) { // the way from an end had references of its own
+        return failure(prepared.error());
     }
     if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
         return failure(entered.error());
