@@ -28,6 +28,7 @@ constexpr int MostRowsBelow = 4;   ///< of a legend below its plot; further ones
 constexpr int LongestName = 22;    ///< characters of a curve's name before it is shortened
 constexpr int LineSampleRoom = 40; ///< beside the name
 constexpr int LeastLetters = 6;    ///< of a shortened name
+constexpr int RowPadding = 6;      ///< of a row, beyond the height of its letters
 
 /// The beginning that no other of the names has, and dots for the rest.
 QString tellingPart(const QString& name, const QStringList& names) {
@@ -55,7 +56,7 @@ LiveLegend::LiveLegend(QWidget* parent) : QTableView(parent) {
     setTabKeyNavigation(false); // Tab leaves the legend
     verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + RowPadding);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(8);
     horizontalHeader()->setHighlightSections(false);
@@ -201,14 +202,32 @@ void LiveLegend::setBelow(bool isBelow) {
         drop();
         viewport()->update();
     }
+    if (isBelow) {
+        verticalHeader()->setDefaultSectionSize(fontMetrics().height() + RowPadding);
+    }
     const int height_px = wantedHeight(std::clamp(m_table.rowCount(), 1, MostRowsBelow));
     setMinimumHeight(isBelow ? height_px : 0);
     setMaximumHeight(isBelow ? height_px : QWIDGETSIZE_MAX);
 }
 
+int LiveLegend::headerHeight() const {
+    return horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
+}
+
 int LiveLegend::wantedHeight(int rows) const {
-    const int header_px = horizontalHeader()->isHidden() ? 0 : horizontalHeader()->sizeHint().height();
-    return header_px + rows * verticalHeader()->defaultSectionSize() + 2 * frameWidth();
+    return headerHeight() + rows * verticalHeader()->defaultSectionSize() + 2 * frameWidth();
+}
+
+/// As high as reads well; closer together where all rows have room then.
+void LiveLegend::fitRows(int height_px) {
+    const int tight_px = fontMetrics().height();
+    verticalHeader()->setMinimumSectionSize(tight_px);
+    const int rows = std::max(m_table.rowCount(), 1);
+    const int each_px = (height_px - headerHeight() - 2 * frameWidth()) / rows;
+    const int row_px = each_px < tight_px ? tight_px + RowPadding : std::min(each_px, tight_px + RowPadding);
+    if (row_px != verticalHeader()->defaultSectionSize()) {
+        verticalHeader()->setDefaultSectionSize(row_px);
+    }
 }
 
 void LiveLegend::setInside(const QRect& canvas, int width_px) {
@@ -216,6 +235,7 @@ void LiveLegend::setInside(const QRect& canvas, int width_px) {
         drop();
         viewport()->update();
     }
+    fitRows(canvas.height());
     int rows = m_table.rowCount(); // whole ones; further ones are scrolled to
     while (rows > 1 && wantedHeight(rows) > canvas.height()) {
         --rows;

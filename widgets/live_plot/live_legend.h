@@ -78,7 +78,9 @@ private:
     void addMoves(QMenu& menu);
     QAction* addKey(QMenu& menu, const QString& text, const QKeySequence& keys);
 
+    int headerHeight() const;
     int wantedHeight(int rows) const;
+    void fitRows(int height_px);
     void drop() { m_picture = QPixmap(); }
 
     LegendTableModel m_table;

@@ -1,6 +1,7 @@
 // A legend over its canvas is drawn when it looks different, not at each frame of the curves below it.
 #include "tests/widgets/live_plot/live_plot_stack_fixture.h"
 
+#include <QHeaderView>
 #include <QStyledItemDelegate>
 #include <QWidget>
 
@@ -68,6 +69,23 @@ TEST_F(LegendPictureTest, aChosenCurveAndNewNumbersAreDrawnAtOnce) {
     legend->table().setNumbers(numbers);
     repaintCanvas();
     EXPECT_GT(delegate.painted, 0);
+}
+
+// A plot of a small screen at scale 2 is as high as four lines of text.
+TEST_F(LegendPictureTest, rowsComeCloserWhereAllOfThemHaveRoomThen) {
+    const int letters_px = legend->fontMetrics().height();
+    const int rows = legend->model()->rowCount();
+    ASSERT_GE(rows, 2);
+    const int width_px = legend->width();
+    legend->setInside(QRect(0, 0, width_px, 100 * letters_px), width_px);
+    const int usual_px = legend->verticalHeader()->defaultSectionSize();
+    EXPECT_GT(usual_px, letters_px);
+    legend->setInside(QRect(0, 0, width_px, rows * letters_px + 2 * legend->frameWidth()), width_px);
+    EXPECT_EQ(legend->verticalHeader()->defaultSectionSize(), letters_px);
+    EXPECT_GE(legend->height(), rows * letters_px);
+    // Where not even that is enough they are scrolled to, at their usual distance.
+    legend->setInside(QRect(0, 0, width_px, rows * letters_px + 2 * legend->frameWidth() - 1), width_px);
+    EXPECT_EQ(legend->verticalHeader()->defaultSectionSize(), usual_px);
 }
 
 TEST_F(LegendPictureTest, theKeptPictureIsWhatWouldBeDrawn) {
