@@ -9450,6 +9450,14 @@
         <source>the gains are for a sampling period of {} s, this device has {} s</source>
         <translation>die Reglerparameter sind für eine Abtastperiode von {} s, dieses Gerät hat {} s</translation>
     </message>
+    <message>
+        <source>turns straight</source>
+        <translation>dreht sich gerade</translation>
+    </message>
+    <message>
+        <source>measure the frequency response of its axes instead (identify --frequency)</source>
+        <translation>stattdessen den Frequenzgang seiner Achsen messen (identify --frequency)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -9450,6 +9450,14 @@
         <source>the gains are for a sampling period of {} s, this device has {} s</source>
         <translation>这些增益用于 {} s 的采样周期，此设备为 {} s</translation>
     </message>
+    <message>
+        <source>turns straight</source>
+        <translation>转正</translation>
+    </message>
+    <message>
+        <source>measure the frequency response of its axes instead (identify --frequency)</source>
+        <translation>请改为测量其各轴的频率响应（identify --frequency）</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

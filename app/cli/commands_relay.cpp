@@ -6,6 +6,7 @@
 #include "app/documents/text/numbers.h"
 #include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
+#include "app/procedures/base/axis_choice.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -116,6 +117,10 @@ CommandResult runRelayCommand(CommandContext& context, const IdentifyOptions& op
     const Result<std::unique_ptr<devices::Device>> device = openToMove(context, options.device);
     if (!device) {
         return failure(device.error());
+    }
+    const Result<std::vector<devices::AxisSpec>> axes = chosenAxes((*device)->catalogue(), options.axis);
+    if (!axes) {
+        return failure(axes.error().code, "--axis: " + axes.error().message, axes.error().hint);
     }
     const Result<RelayPlan> plan = planRelayOn(**device, *config);
     if (!plan) {

@@ -74,6 +74,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "give the one that is known better; the other is then measured"),
     QT_TRANSLATE_NOOP("Phrases", "goes to a line"),
     QT_TRANSLATE_NOOP("Phrases", "goes back"),
+    QT_TRANSLATE_NOOP("Phrases", "turns straight"),
     QT_TRANSLATE_NOOP("Phrases", "goes to a place between"),
     QT_TRANSLATE_NOOP("Phrases", "sweeps at constant speed"),
     QT_TRANSLATE_NOOP("Phrases", "goes to the next line"),

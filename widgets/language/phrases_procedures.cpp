@@ -515,6 +515,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "oscillation around a steady motion"),
     QT_TRANSLATE_NOOP("Phrases", "the device has no parameter for {}"),
     QT_TRANSLATE_NOOP("Phrases", "the relay experiment needs a position loop with a gain and a current limit"),
+    QT_TRANSLATE_NOOP("Phrases", "measure the frequency response of its axes instead (identify --frequency)"),
 };
 
 } // namespace

@@ -119,6 +119,13 @@ Result<void> checkRelayBoard(const devices::Catalogue& catalogue) {
     return {};
 }
 
+Result<void> checkRotor(const devices::Catalogue& catalogue) {
+    const auto turns = checkTurnsForever(catalogue);
+    return turns ? turns
+                 : failure(turns.error().code, turns.error().message,
+                           "measure the frequency response of its axes instead (identify --frequency)");
+}
+
 Result<RelayBoard> readBoard(devices::Device& device) {
     if (auto able = checkRelayBoard(device.catalogue()); !able) {
         return failure(able.error());
@@ -194,6 +201,9 @@ Result<RelayPlan> planRelayOn(devices::Device& device, const RelayConfig& config
     if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
         return failure(offered.error());
     }
+    if (auto turns = checkRotor(device.catalogue()); !turns) {
+        return failure(turns.error());
+    }
     const auto board = readBoard(device);
     return board ? planRelay(config, *board) : failure(board.error());
 }
@@ -203,7 +213,7 @@ Result<RelayResult> runRelay(devices::Device& device, const RelayConfig& config,
     if (auto offered = checkProcedureOffered(device.catalogue(), "identify"); !offered) {
         return failure(offered.error());
     }
-    if (auto turns = checkTurnsForever(device.catalogue()); !turns) {
+    if (auto turns = checkRotor(device.catalogue()); !turns) {
         return failure(turns.error());
     }
     if (auto entered = enterState(observer, ProcedureState::Prepare); !entered) {

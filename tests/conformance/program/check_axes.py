@@ -155,7 +155,9 @@ max = 1
         for words, *arguments in (("no axis 'z'", "identify", "sim:planar", "--axis", "z"), ("no constant 'J'", "identify", "sim:planar", "--given", "J=1"),
                                   ("are for a motor", "identify", "sim:planar", "--directions", "forward"),
                                   ("no static friction", "calibrate", "sim:planar", "static-friction"),
-                                  ("no axis 'x'", "identify", "sim:htm", "--axis", "x")):
+                                  ("no axis 'x'", "identify", "sim:htm", "--axis", "x"),
+                                  ("--axis: the device has no axis 'x'", "identify", "sim:htm", "--relay", "--axis", "x"),
+                                  ("frequency response of its axes", "identify", "sim:planar", "--relay", "--axis", "x")):
             with self.subTest(words):
                 self.refuse(2, words, *arguments)
 
