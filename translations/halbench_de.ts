@@ -791,10 +791,6 @@
         <translation>kein Paket ging verloren oder war beschädigt: Das Gerät ließ Zeilen aus oder verzögerte sie</translation>
     </message>
     <message>
-        <source>use fewer signals or a lower rate, or connect by tcp: instead of udp:</source>
-        <translation>weniger Signale oder kleinere Rate verwenden, oder über tcp: statt udp: verbinden</translation>
-    </message>
-    <message>
         <source>{} % of the frames were damaged on the line</source>
         <translation>{} % der Rahmen wurden auf der Leitung beschädigt</translation>
     </message>
@@ -9449,6 +9445,10 @@
     <message>
         <source>the gains are for a sampling period of {} s, this device has {} s</source>
         <translation>die Reglerparameter sind für eine Abtastperiode von {} s, dieses Gerät hat {} s</translation>
+    </message>
+    <message>
+        <source>use fewer signals or a lower rate; with udp:, connect by tcp: instead</source>
+        <translation>weniger Signale oder kleinere Rate verwenden; bei udp: stattdessen über tcp: verbinden</translation>
     </message>
 </context>
 <context>

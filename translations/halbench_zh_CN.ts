@@ -791,10 +791,6 @@
         <translation>没有数据包丢失或损坏：设备跳过或延迟了数据</translation>
     </message>
     <message>
-        <source>use fewer signals or a lower rate, or connect by tcp: instead of udp:</source>
-        <translation>请减少信号或降低速率，或用 tcp: 代替 udp: 连接</translation>
-    </message>
-    <message>
         <source>{} % of the frames were damaged on the line</source>
         <translation>线路上有 {} % 的帧损坏</translation>
     </message>
@@ -9449,6 +9445,10 @@
     <message>
         <source>the gains are for a sampling period of {} s, this device has {} s</source>
         <translation>这些增益用于 {} s 的采样周期，此设备为 {} s</translation>
+    </message>
+    <message>
+        <source>use fewer signals or a lower rate; with udp:, connect by tcp: instead</source>
+        <translation>请减少信号或降低速率；若用 udp: 连接，请改用 tcp:</translation>
     </message>
 </context>
 <context>

@@ -72,7 +72,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "{} % of the packets arrived out of order"),
     QT_TRANSLATE_NOOP("Phrases", "connect by tcp: instead of udp:; tcp keeps the order"),
     QT_TRANSLATE_NOOP("Phrases", "{} % of the packets were lost, none was damaged"),
-    QT_TRANSLATE_NOOP("Phrases", "use fewer signals or a lower rate, or connect by tcp: instead of udp:"),
+    QT_TRANSLATE_NOOP("Phrases", "use fewer signals or a lower rate; with udp:, connect by tcp: instead"),
     QT_TRANSLATE_NOOP("Phrases", "no packet was lost or damaged: the device skipped or delayed rows"),
     QT_TRANSLATE_NOOP("Phrases", "distance of the readings from the ellipse: {} % of the amplitude"),
     QT_TRANSLATE_NOOP("Phrases", "check for saturated sensors or a loose magnet"),
