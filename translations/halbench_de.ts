@@ -791,10 +791,6 @@
         <translation>kein Paket ging verloren oder war beschädigt: Das Gerät ließ Zeilen aus oder verzögerte sie</translation>
     </message>
     <message>
-        <source>use fewer signals or a lower rate, or connect by tcp: instead of udp:</source>
-        <translation>weniger Signale oder kleinere Rate verwenden, oder über tcp: statt udp: verbinden</translation>
-    </message>
-    <message>
         <source>{} % of the frames were damaged on the line</source>
         <translation>{} % der Rahmen wurden auf der Leitung beschädigt</translation>
     </message>
@@ -2645,10 +2641,6 @@
     <message>
         <source>angle and current determine only ratios of the constants</source>
         <translation>Winkel und Strom bestimmen nur Verhältnisse der Konstanten</translation>
-    </message>
-    <message>
-        <source>give only the best-known constant</source>
-        <translation>nur die am besten bekannte Konstante angeben</translation>
     </message>
     <message>
         <source>omitting one plateau shifts the steady line by {} standard errors</source>
@@ -9457,6 +9449,22 @@
     <message>
         <source>measure the frequency response of its axes instead (identify --frequency)</source>
         <translation>stattdessen den Frequenzgang seiner Achsen messen (identify --frequency)</translation>
+    </message>
+    <message>
+        <source>use fewer signals or a lower rate; with udp:, connect by tcp: instead</source>
+        <translation>weniger Signale oder kleinere Rate verwenden; bei udp: stattdessen über tcp: verbinden</translation>
+    </message>
+    <message>
+        <source>compare the current that flows with the commanded one, since a gain error of the drive contradicts so; then give only the best-known constant</source>
+        <translation>den fließenden Strom mit dem befohlenen vergleichen, denn ein Verstärkungsfehler des Antriebs widerspricht so; dann nur die am besten bekannte Konstante angeben</translation>
+    </message>
+    <message>
+        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J where phi is given, by as much and shows in no recording</source>
+        <translation>der Strom gilt als der befohlene auf 0,3 %: ein Verstärkungsfehler des Antriebs verschiebt phi, oder J bei gegebenem phi, um ebenso viel und zeigt sich in keiner Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
+        <translation>den fließenden Strom mit dem befohlenen vergleichen, oder J und phi beide angeben: das Programm findet dann einen Widerspruch</translation>
     </message>
 </context>
 <context>

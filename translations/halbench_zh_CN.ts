@@ -791,10 +791,6 @@
         <translation>没有数据包丢失或损坏：设备跳过或延迟了数据</translation>
     </message>
     <message>
-        <source>use fewer signals or a lower rate, or connect by tcp: instead of udp:</source>
-        <translation>请减少信号或降低速率，或用 tcp: 代替 udp: 连接</translation>
-    </message>
-    <message>
         <source>{} % of the frames were damaged on the line</source>
         <translation>线路上有 {} % 的帧损坏</translation>
     </message>
@@ -2645,10 +2641,6 @@
     <message>
         <source>angle and current determine only ratios of the constants</source>
         <translation>角度和电流只能确定各常数的比值</translation>
-    </message>
-    <message>
-        <source>give only the best-known constant</source>
-        <translation>请只给出最可靠的常数</translation>
     </message>
     <message>
         <source>omitting one plateau shifts the steady line by {} standard errors</source>
@@ -9457,6 +9449,22 @@
     <message>
         <source>measure the frequency response of its axes instead (identify --frequency)</source>
         <translation>请改为测量其各轴的频率响应（identify --frequency）</translation>
+    </message>
+    <message>
+        <source>use fewer signals or a lower rate; with udp:, connect by tcp: instead</source>
+        <translation>请减少信号或降低速率；若用 udp: 连接，请改用 tcp:</translation>
+    </message>
+    <message>
+        <source>compare the current that flows with the commanded one, since a gain error of the drive contradicts so; then give only the best-known constant</source>
+        <translation>请将实际电流与命令电流比较，因为驱动的增益误差会造成这种矛盾；然后只给出最可靠的常数</translation>
+    </message>
+    <message>
+        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J where phi is given, by as much and shows in no recording</source>
+        <translation>电流按命令值计，误差在 0.3 % 之内：驱动的增益误差使 phi（给定 phi 时为 J）偏移同样多，且不会显现在任何记录中</translation>
+    </message>
+    <message>
+        <source>compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
+        <translation>请将实际电流与命令电流比较，或同时给出 J 和 phi：程序随后会发现矛盾</translation>
     </message>
 </context>
 <context>

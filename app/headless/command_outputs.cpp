@@ -29,6 +29,29 @@ bool isInput(const CommandOutputs& outputs, const std::string& path) {
     });
 }
 
+/// Same file, also by another path; a device or pipe takes any number of results.
+bool areSameFile(const std::string& one, const std::string& other) {
+    std::error_code problem; // a path that cannot be followed is told apart by its text
+    const auto placeOf = [&problem](const std::string& file) {
+        const fs::path place = fs::weakly_canonical(fs::absolute(file), problem);
+        return problem ? fs::path(file).lexically_normal() : place;
+    };
+    return placeOf(one) == placeOf(other) && (!fs::exists(one, problem) || fs::is_regular_file(one, problem));
+}
+
+/// The second of two results would replace the first, which --force does not ask for.
+Result<void> checkDistinct(const std::vector<std::string>& files) {
+    for (auto file = files.begin(); file != files.end(); ++file) {
+        const auto other = std::find_if(
+            files.begin(), file, [&](const std::string& before) { return areSameFile(before, *file); });
+        if (other != file) {
+            return failure(ErrorCode::Usage, fmt::format("two results would be written to '{}'", *file),
+                           "give each result a file of its own");
+        }
+    }
+    return {};
+}
+
 /// A folder with what a run writes, and nothing else.
 bool holdsResults(const std::string& folder) {
     std::error_code problem;
@@ -73,7 +96,11 @@ std::vector<std::string> writtenFiles(const CommandOutputs& outputs) {
 }
 
 Result<void> checkOutputs(const CommandOutputs& outputs, bool mayOverwrite) {
-    for (const std::string& file : writtenFiles(outputs)) {
+    const std::vector<std::string> files = writtenFiles(outputs);
+    if (const Result<void> distinct = checkDistinct(files); !distinct) {
+        return distinct;
+    }
+    for (const std::string& file : files) {
         if (!mayOverwrite && isThere(file) && !isInput(outputs, file)) {
             return failure(ErrorCode::Usage, fmt::format("'{}' exists already", file),
                            "use another name, or overwrite it with --force");

@@ -33,7 +33,7 @@ RowLossCause causeOfRowLoss(const devices::LinkStatistics& before, const devices
     if (lost > 0.0) {
         return {fmt::format("{:.2g} % of the packets were lost, none was damaged",
                             1e2 * lost / (received + lost)),
-                "use fewer signals or a lower rate, or connect by tcp: instead of udp:"};
+                "use fewer signals or a lower rate; with udp:, connect by tcp: instead"};
     }
     if (received > 0.0) {
         return {"no packet was lost or damaged: the device skipped or delayed rows", ""};

@@ -83,6 +83,17 @@ double directionGap_rad(const AngleMap& forward, const AngleMap& reverse) {
     return rms(half);
 }
 
+// Of one recording the error is that of its own direction and current: phase currents that differ from what
+// the board compensates turn the readings by up to 0.01 degrees twice per turn, with the sign of the current.
+// The mean of both directions is right for neither, and each coefficient lies off by at least half the
+// difference.
+AngleMap withDirections(AngleMap map, const AngleMap& forward, const AngleMap& reverse) {
+    for (std::size_t i = 0; i < std::min(forward.value_rad.size(), reverse.value_rad.size()); ++i) {
+        map.error_rad[i] = std::hypot(map.error_rad[i], 0.5 * (forward.value_rad[i] - reverse.value_rad[i]));
+    }
+    return map;
+}
+
 void remark(CalibrateResult& result, Verdict verdict, const char* code, std::string message,
             const char* hint) {
     result.quality.verdict = std::max(result.quality.verdict, verdict);
@@ -143,7 +154,7 @@ void evaluate(CalibrateResult& result, const std::vector<Recording>& recordings)
         proposeNoMap(result);
         return;
     }
-    addMap(result, *map);
+    addMap(result, withDirections(*map, *forward, *reverse));
     const double gap_rad = directionGap_rad(*forward, *reverse);
     if (!judgeMap(result, *map, gap_rad)) {
         proposeNoMap(result);

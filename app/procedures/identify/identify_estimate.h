@@ -19,6 +19,9 @@ struct MissingForces {
 struct IdentifyFits {
     std::optional<control::MotionFit> motion;
     std::optional<control::BalanceFit> balance;
+    /// Without any further force, which a few stretches show too poorly to plan by.
+    std::optional<control::MotionFit> plainMotion;
+    std::optional<control::BalanceFit> plainBalance;
     std::optional<control::TorqueLinearity> linearity; ///< of the torque in the current
     MissingForces missing;
     double slowest_rad_s = 3.0; ///< of the motion that is fitted

@@ -196,12 +196,30 @@ void judgeTorqueLoss(IdentifyResult& result, const IdentifyFits& fits) {
     }
 }
 
+// Twice the torque per ampere and half the current turn the rotor alike: the scale of the current is assumed
+// wherever one constant alone gives the scale of torque (resources/help/identification.md section 5.1).
+void remarkAssumedCurrent(IdentifyResult& result) {
+    const auto torque = result.ratios.find("phi_over_J");
+    if (torque != result.ratios.end() && torque->second.value) {
+        remark(
+            result.quality, Verdict::Good, "current_not_measured",
+            "the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J where "
+            "phi is given, by as much and shows in no recording",
+            "compare the current that flows with the commanded one, or give both J and phi: the program then "
+            "finds a contradiction");
+    }
+}
+
 void judgeGiven(IdentifyResult& result, const control::JointEstimate& joint, const IdentifyConfig& config) {
     if (joint.consistency && joint.consistency->probability < Improbable) {
         remark(result.quality, Verdict::Doubtful, "given_constants_disagree",
                fmt::format("the given constants contradict the data (p = {:.2g})",
                            joint.consistency->probability),
-               "give only the best-known constant");
+               "compare the current that flows with the commanded one, since a gain error of the drive "
+               "contradicts "
+               "so; then give only the best-known constant");
+    } else if (!joint.consistency) {
+        remarkAssumedCurrent(result);
     }
     if (config.given.isEmpty() && !config.added) {
         remark(result.quality, Verdict::Good, "scale_not_given",

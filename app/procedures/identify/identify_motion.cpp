@@ -154,6 +154,8 @@ Result<void> fitTransients(std::span<const double> time_s, std::span<const doubl
         return {};
     }
     fits.balance = std::move(*balance);
+    fits.plainMotion = fits.motion;
+    fits.plainBalance = fits.balance;
     if (auto goesOn = takeMissingForces(segments, plain, motionConfig, config, fits); !goesOn) {
         return goesOn;
     }

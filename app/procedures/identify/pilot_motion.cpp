@@ -78,13 +78,13 @@ Result<double> PilotMotion::pulsedAcceleration_rad_s2(double current_A) {
 
 std::optional<PilotEstimate> PilotMotion::estimate() const {
     const auto fits = fitRecording(m_recording, m_config);
-    if (!fits || !fits->motion || !fits->balance || !fits->balance->torque_rad_s2_A ||
-        !(*fits->balance->torque_rad_s2_A > 0.0)) {
+    if (!fits || !fits->plainMotion || !fits->plainBalance || !fits->plainBalance->torque_rad_s2_A ||
+        !(*fits->plainBalance->torque_rad_s2_A > 0.0)) {
         return std::nullopt;
     }
-    return PilotEstimate{std::max(fits->motion->damping_per_s, 0.0),
-                         std::max(fits->balance->friction_rad_s2.value_or(0.0), 0.0),
-                         *fits->balance->torque_rad_s2_A, fits->motion->dampingError_per_s};
+    return PilotEstimate{std::max(fits->plainMotion->damping_per_s, 0.0),
+                         std::max(fits->plainBalance->friction_rad_s2.value_or(0.0), 0.0),
+                         *fits->plainBalance->torque_rad_s2_A, fits->plainMotion->dampingError_per_s};
 }
 
 Result<std::optional<PilotEstimate>> PilotMotion::find(const std::vector<double>& currents_A) {

@@ -70,6 +70,32 @@ TEST_F(CommandOutputs, aSidecarThatIsThereIsKept) {
     EXPECT_TRUE(check({"record", "sim:htm", "--duration", "1", "--out", path("old.csv"), "--force"}));
 }
 
+TEST_F(CommandOutputs, twoResultsOfOneCommandNeverShareAFile) {
+    const std::string file = path("both.csv");
+    const std::string sameFile = path("./both.csv");
+    std::filesystem::create_symlink(there("target.svg"), path("link.svg"));
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"identify", "sim:htm", "--record", file, "--out", file},
+          {"identify", "sim:htm", "--record", file, "--out", path("both.meta.json")},
+          {"identify", "sim:htm", "--frequency", "--bode", file, "--out", sameFile},
+          {"analyse", "m.json", "g.json", "--bode", file, "--step", sameFile},
+          {"analyse", "m.json", "g.json", "--step", file, "--poles", file},
+          {"tune", "m.json", "--out", file, "--code", file},
+          {"tune", "m.json", "--picture", "bode=" + path("target.svg"), "--picture",
+           "step=" + path("link.svg")}}) {
+        for (const bool isForced : {false, true}) {
+            std::vector<std::string> asked = arguments;
+            asked.insert(asked.end(), isForced ? 1 : 0, "--force");
+            const auto checked = check(asked);
+            ASSERT_FALSE(checked) << arguments[0] << ' ' << arguments.back();
+            EXPECT_EQ(checked.error().code, ErrorCode::Usage);
+            EXPECT_NE(checked.error().message.find("two results"), std::string::npos);
+        }
+    }
+    EXPECT_TRUE(check({"analyse", "m.json", "g.json", "--bode", file, "--step", path("other.csv")}));
+    EXPECT_TRUE(check({"analyse", "m.json", "g.json", "--bode", "/dev/null", "--step", "/dev/null"}));
+}
+
 TEST_F(CommandOutputs, aFolderWithResultsNeedsForceAndAnyOtherIsRefused) {
     std::filesystem::create_directory(path("run"));
     EXPECT_TRUE(check({"run", "e.toml", "--out", path("run")}));

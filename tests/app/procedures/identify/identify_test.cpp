@@ -187,6 +187,30 @@ TEST(Identify, saysWhenGivenConstantsContradictTheMotor) {
     EXPECT_EQ(result->quality.verdict, Verdict::Doubtful);
 }
 
+// The rotor alone cannot tell a gain of the drive from a torque constant: with one given constant it is said,
+// with two it is found.
+TEST(Identify, aGainErrorOfTheDriveIsSaidAndFoundWhereBothConstantsAreGiven) {
+    for (const double error : {-0.05, -0.03, 0.03, 0.05}) {
+        for (const int seed : {1, 2}) {
+            const std::string uri =
+                "sim:htm?dac_gain_error=" + std::to_string(error) + "&seed=" + std::to_string(seed);
+            const auto one = runIdentify(*open(uri), withInertia(5.5e-4), {});
+            ASSERT_TRUE(one && one->torqueConstant.interval95) << uri;
+            EXPECT_TRUE(hasFinding(*one, "current_not_measured")) << uri;
+            // the torque per commanded ampere within 2.5 times its half width: one of 1e6 lies outside
+            const auto [low, high] = *one->torqueConstant.interval95;
+            EXPECT_NEAR(*one->torqueConstant.value, 1.43e-2 * (1.0 + error), 1.25 * (high - low)) << uri;
+
+            IdentifyConfig both = withInertia(5.5e-4);
+            both.given.torqueConstant_Nm_per_A = 1.43e-2;
+            const auto two = runIdentify(*open(uri), both, {});
+            ASSERT_TRUE(two) << uri;
+            EXPECT_TRUE(hasFinding(*two, "given_constants_disagree")) << uri;
+            EXPECT_EQ(two->quality.verdict, Verdict::Doubtful) << uri;
+        }
+    }
+}
+
 TEST(Identify, aKnownAddedInertiaGivesAllFourConstants) {
     const auto bare = open("sim:htm?seed=6");
     const auto first = runIdentify(*bare, {}, {});
