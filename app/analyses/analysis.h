@@ -32,6 +32,8 @@ struct AnalysisValues {
     std::map<std::string, bool, std::less<>> flags;
     /// Values that an earlier step of a run found, when the text `calibration` names it.
     std::optional<std::vector<ParameterValue>> calibrated;
+    /// Those of AnalysisDevice::parameters when a device is named: settings that are not given are its own.
+    std::optional<std::vector<ParameterValue>> device;
 
     std::optional<double> number(std::string_view key) const;
     double numberOr(std::string_view key, double value) const { return number(key).value_or(value); }
@@ -60,6 +62,15 @@ struct AnalysisOutcome {
     std::optional<AnalysisTable> table; ///< written by `--out FILE.csv`
 };
 
+/// The part of an analysis that a device can give in place of settings or a recording.
+struct AnalysisDevice {
+    std::string_view hint; ///< which devices are meant, for the message that refuses another one
+    std::vector<std::string> parameters;
+    /// Recorded when it needs a recording; of the second list what the device has.
+    std::vector<std::string> (*signals)(const AnalysisValues& values) = nullptr;
+    std::vector<std::string> extraSignals = {};
+};
+
 /// A computation of one actuator that needs no device: a command and a kind of experiment step. This table is
 /// the only place that knows its settings.
 struct Analysis {
@@ -72,6 +83,7 @@ struct Analysis {
     /// `file` is given when it needs a recording, `origin` names it in messages.
     Result<AnalysisOutcome> (*run)(const AnalysisValues& values, const devices::RecordedFile* file,
                                    const std::string& origin, const AnalysisControl& control) = nullptr;
+    std::optional<AnalysisDevice> device = {}; ///< nothing: it takes no device
 };
 
 /// "noise_uT" -> "--noise-uT"

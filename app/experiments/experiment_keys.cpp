@@ -217,6 +217,10 @@ std::vector<KeySpec> allKeys() {
             keys.push_back(
                 {analysis.name, "recording", Name, true, 0, 0, "", "step whose recording is used"});
         }
+        if (analysis.device) {
+            keys.push_back({analysis.name, "from_device", Boolean, false, 0, 0, "",
+                            "settings that are not given are those of the run's device; default false"});
+        }
         for (const AnalysisKey& key : analysis.keys) {
             const bool isText = key.type == AnalysisKeyType::Text || key.type == AnalysisKeyType::Choice;
             keys.push_back({analysis.name, key.name, typeOf(key), false, isText ? 0.0 : key.min,

@@ -1,6 +1,7 @@
 #include "app/analyses/registry/analyses.h"
 #include "app/experiments/step_runs.h"
 #include "app/headless/analysis_control.h"
+#include "app/headless/analysis_device.h"
 #include "devices/recording/recording_meta.h"
 
 #include <algorithm>
@@ -63,6 +64,13 @@ Result<StepOutcome> runAnalysisStep(StepRun& run, const ExperimentStep& step, co
         file = *std::move(recording);
     }
     AnalysisValues values = valuesOf(step, analysis);
+    if (step.isTrue("from_device")) {
+        const auto own = deviceValuesFor(analysis, run.device);
+        if (!own) {
+            return failure(own.error());
+        }
+        values.device = *own;
+    }
     const std::string named = values.text("calibration");
     if (const auto* calibration = run.find<CalibrateResult>(named)) {
         if (calibration->quality.verdict == Verdict::Refused) {

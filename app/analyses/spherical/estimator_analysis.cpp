@@ -138,7 +138,8 @@ Analysis estimatorAnalysis() {
             false,
             false,
             estimatorKeys(),
-            runEstimators};
+            runEstimators,
+            sensingDevice()};
 }
 
 } // namespace halbench::app

@@ -3,6 +3,7 @@
 #include "app/analyses/spherical/orientation_confidence.h"
 #include "app/analyses/spherical/orientation_readings.h"
 #include "app/analyses/spherical/placement_choice.h"
+#include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/result_text.h"
 #include "control/base/units.h"
@@ -495,16 +496,35 @@ Result<AnalysisOutcome> runOrientation(const AnalysisValues& values, const devic
     return result;
 }
 
+/// Nine readings, and with `truth` the true angles that a simulated device has.
+std::vector<std::string> recordedSignals(const AnalysisValues& values) {
+    std::vector<std::string> signals = splitList(values.text("readings"));
+    if (signals.empty()) {
+        signals = fieldSignals();
+    }
+    if (values.isSet("truth")) {
+        const std::string truth = values.text("truth_signals");
+        const std::vector<std::string> names =
+            splitList(truth.empty() ? UsualTruthSignals : std::string_view(truth));
+        signals.insert(signals.end(), names.begin(), names.end());
+    }
+    return signals;
+}
+
 } // namespace
 
 Analysis orientationAnalysis() {
+    AnalysisDevice device = sensingDevice();
+    device.signals = recordedSignals;
+    device.extraSignals = {"coil.current"};
     return {"orient",
             "halbench.orientation/1",
-            "Orientation of a spherical rotor from nine recorded field readings",
+            "Orientation of a spherical rotor from nine field readings, recorded or of a device",
             true,
             true,
             orientationKeys(),
-            runOrientation};
+            runOrientation,
+            device};
 }
 
 } // namespace halbench::app

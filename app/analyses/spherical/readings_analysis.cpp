@@ -118,7 +118,8 @@ Analysis readingsAnalysis() {
             false,
             true,
             readingsKeys(),
-            runReadings};
+            runReadings,
+            sensingDevice()};
 }
 
 } // namespace halbench::app
