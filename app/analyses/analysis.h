@@ -32,7 +32,8 @@ struct AnalysisValues {
     std::map<std::string, bool, std::less<>> flags;
     /// Values that an earlier step of a run found, when the text `calibration` names it.
     std::optional<std::vector<ParameterValue>> calibrated;
-    /// Those of AnalysisDevice::parameters when a device is named: settings that are not given are its own.
+    /// Those of AnalysisDevice::parameters when a device is named, or as a recording notes them: settings
+    /// that are not given are its own.
     std::optional<std::vector<ParameterValue>> device;
 
     std::optional<double> number(std::string_view key) const;
@@ -66,10 +67,12 @@ struct AnalysisOutcome {
 struct AnalysisDevice {
     std::string_view hint; ///< which devices are meant, for the message that refuses another one
     std::vector<std::string> parameters;
-    /// Recorded when it needs a recording; of the second list what the device has.
+    /// Recorded when a recording is required; of the second list what the device has.
     std::vector<std::string> (*signals)(const AnalysisValues& values) = nullptr;
     std::vector<std::string> extraSignals = {};
 };
+
+enum class RecordingUse { None, Optional, Required };
 
 /// A computation of one actuator that needs no device: a command and a kind of experiment step. This table is
 /// the only place that knows its settings.
@@ -77,10 +80,10 @@ struct Analysis {
     std::string_view name;   ///< "orient": command and kind of step
     std::string_view schema; ///< "halbench.orientation/1"
     std::string_view help;
-    bool needsRecording = false;
+    RecordingUse recording = RecordingUse::None;
     bool writesTable = false; ///< --out takes the table; else the result
     std::vector<AnalysisKey> keys;
-    /// `file` is given when it needs a recording, `origin` names it in messages.
+    /// `file` is the recording, `origin` names it in messages.
     Result<AnalysisOutcome> (*run)(const AnalysisValues& values, const devices::RecordedFile* file,
                                    const std::string& origin, const AnalysisControl& control) = nullptr;
     std::optional<AnalysisDevice> device = {}; ///< nothing: it takes no device

@@ -13,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace halbench::app {
 
 namespace {
@@ -35,7 +37,7 @@ struct AnalysisInput {
 constexpr double StandardDuration_s = 10.0;
 
 bool takesRows(const Analysis& analysis) {
-    return analysis.needsRecording && analysis.device;
+    return analysis.recording == RecordingUse::Required && analysis.device;
 }
 
 Result<void> writeOutput(CommandContext& context, const AnalysisOptions& options,
@@ -54,13 +56,14 @@ Result<void> writeOutput(CommandContext& context, const AnalysisOptions& options
 
 void addOptions(CommandSyntax& syntax, AnalysisOptions& options) {
     const Analysis& analysis = *options.analysis;
-    if (analysis.needsRecording) {
+    if (analysis.recording == RecordingUse::Required) {
         syntax.argument("RECORDING", options.input,
                         analysis.device ? "Recording, or a device whose rows are recorded" : "Recording");
     } else {
-        syntax.option("SPEC", options.input,
-                      analysis.device ? "File of settings (.toml), or a device that has them"
-                                      : "File of settings (.toml)");
+        std::string help = "File of settings (.toml)";
+        help += analysis.device ? ", or a device that has them" : "";
+        help += analysis.recording == RecordingUse::Optional ? ", or a recording" : "";
+        syntax.option("SPEC", options.input, help);
     }
     for (const AnalysisKey& key : analysis.keys) {
         const std::string name(key.name);
@@ -114,6 +117,20 @@ Result<AnalysisInput> inputOfSettings(CommandContext& context, const AnalysisOpt
     return AnalysisInput{*values, {}, headerFor(context, std::string(options.analysis->schema))};
 }
 
+/// What a recording notes of its device; nothing when it notes none of it.
+std::optional<std::vector<ParameterValue>> notedValues(const Analysis& analysis,
+                                                       const devices::RecordingMeta& meta) {
+    std::vector<ParameterValue> values;
+    const std::vector<std::string> names =
+        analysis.device ? analysis.device->parameters : std::vector<std::string>();
+    for (const devices::RecordingMeta::ParameterNote& note : meta.parameters) {
+        if (std::find(names.begin(), names.end(), note.name) != names.end()) {
+            values.push_back({note.name, note.value});
+        }
+    }
+    return values.empty() ? std::nullopt : std::optional(values);
+}
+
 Result<AnalysisInput> inputOfRecording(CommandContext& context, const AnalysisOptions& options,
                                        const std::string& path) {
     const Result<AnalysisValues> values =
@@ -138,6 +155,7 @@ Result<AnalysisInput> inputOfRecording(CommandContext& context, const AnalysisOp
         input.header.device = file->meta.device;
         input.header.started = file->meta.started;
     }
+    input.values.device = notedValues(*options.analysis, file->meta);
     input.file = *std::move(file);
     return input;
 }
@@ -189,7 +207,7 @@ Result<AnalysisInput> inputOfDevice(CommandContext& context, const AnalysisOptio
     }
     AnalysisInput input{*values, {}, headerFor(context, std::string(analysis.schema), **device)};
     input.values.device = *own;
-    if (analysis.needsRecording) {
+    if (analysis.recording == RecordingUse::Required) {
         Result<devices::RecordedFile> rows = recordRows(context, options, **device, input);
         if (!rows) {
             return failure(rows.error());
@@ -201,10 +219,11 @@ Result<AnalysisInput> inputOfDevice(CommandContext& context, const AnalysisOptio
 
 Result<AnalysisInput> inputOf(CommandContext& context, const AnalysisOptions& options) {
     const std::optional<std::string> path = recordingPath(options.input);
-    if (options.analysis->needsRecording && (path || !devices::parseDeviceUri(options.input))) {
+    const bool isDevice = !path && !options.input.empty() && devices::parseDeviceUri(options.input);
+    const bool isRequired = options.analysis->recording == RecordingUse::Required;
+    if ((isRequired && !isDevice) || (path && options.analysis->recording == RecordingUse::Optional)) {
         return inputOfRecording(context, options, path.value_or(options.input));
     }
-    const bool isDevice = !options.input.empty() && devices::parseDeviceUri(options.input);
     return isDevice ? inputOfDevice(context, options) : inputOfSettings(context, options);
 }
 

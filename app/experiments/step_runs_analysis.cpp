@@ -56,7 +56,7 @@ Result<devices::RecordedFile> recordingOf(StepRun& run, const std::string& name)
 Result<StepOutcome> runAnalysisStep(StepRun& run, const ExperimentStep& step, const Analysis& analysis) {
     std::optional<devices::RecordedFile> file;
     const std::string source = step.text("recording").value_or("");
-    if (analysis.needsRecording) {
+    if (analysis.recording != RecordingUse::None && !source.empty()) {
         Result<devices::RecordedFile> recording = recordingOf(run, source);
         if (!recording) {
             return failure(recording.error());

@@ -195,7 +195,7 @@ Analysis coverageAnalysis() {
     return {"coverage",
             "halbench.coverage/1",
             "Coverage of three field sensors: proof or counterexample, and the error to expect",
-            false,
+            RecordingUse::None,
             true,
             coverageKeys(),
             runCoverage,

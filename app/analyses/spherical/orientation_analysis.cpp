@@ -520,7 +520,7 @@ Analysis orientationAnalysis() {
     return {"orient",
             "halbench.orientation/1",
             "Orientation of a spherical rotor from nine field readings, recorded or of a device",
-            true,
+            RecordingUse::Required,
             true,
             orientationKeys(),
             runOrientation,

@@ -152,7 +152,7 @@ Analysis placementAnalysis() {
     return {"place",
             "halbench.placement/1",
             "Search for the places of field sensors, with the proof of the winner",
-            false,
+            RecordingUse::None,
             false,
             searchKeys(),
             runPlacement,

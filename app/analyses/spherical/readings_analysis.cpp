@@ -115,7 +115,7 @@ Analysis readingsAnalysis() {
     return {"readings",
             "halbench.readings/1",
             "Readings of three field sensors along one angle of a spherical rotor",
-            false,
+            RecordingUse::None,
             true,
             readingsKeys(),
             runReadings,

@@ -105,6 +105,7 @@ class Schemas(unittest.TestCase):
         self.accept(self.run_json("coverage", "--step-deg", "5"))
         self.accept(self.run_json("readings", "--along", "gamma"))
         self.accept(self.run_json("estimators", "--count", "50", "--placement", "recommended"))
+        self.accept(self.run_json("estimators", "m.csv", "--count", "50"))
         for device in ("exact", "paper"):
             self.accept(self.run_json("place", "--step-deg", "45", "--device", device, "--out", "p.json"))
             self.accept(self.run_json("coverage", "--step-deg", "5", "--placement", "p.json", "--device", device))
