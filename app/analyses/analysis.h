@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/analyses/analysis_plot.h"
 #include "app/documents/text/json_value.h"
 #include "app/procedures/base/procedure.h"
 #include "devices/formats/recording_file.h"
@@ -61,6 +62,7 @@ struct AnalysisOutcome {
     JsonValue body = JsonValue::object();
     std::string summary;                ///< for people
     std::optional<AnalysisTable> table; ///< written by `--out FILE.csv`
+    std::vector<AnalysisPlot> plots;    ///< in the report of a run
 };
 
 /// The part of an analysis that a device can give in place of settings or a recording.

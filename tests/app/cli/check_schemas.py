@@ -104,6 +104,8 @@ class Schemas(unittest.TestCase):
                 self.assertAlmostEqual(result["noise_T"], 50e-6 if place == "spec.toml" else 100e-6, 9)
         self.accept(self.run_json("coverage", "--step-deg", "5"))
         self.accept(self.run_json("readings", "--along", "gamma"))
+        self.accept(self.run_json("field", "--harmonics", "h2"))
+        self.accept(self.run_json("swarm", "--device", "paper", "--iterations", "20"))
         self.accept(self.run_json("estimators", "--count", "50", "--placement", "recommended"))
         self.accept(self.run_json("estimators", "m.csv", "--count", "50"))
         for device in ("exact", "paper"):
