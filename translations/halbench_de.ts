@@ -20828,10 +20828,6 @@ Hall B
         <translation>Sensoren des Vergleichs</translation>
     </message>
     <message>
-        <source>Errors are measured to the nearest of the four orientations with the same field. The time is that of one thread of this computer.</source>
-        <translation>Fehler gelten gegen die nächste der vier Orientierungen mit gleichem Feld. Die Zeit ist die eines Threads dieses Rechners.</translation>
-    </message>
-    <message>
         <source>Readings from</source>
         <translation>Messwerte aus</translation>
     </message>
@@ -20846,14 +20842,6 @@ Hall B
     <message>
         <source>Additive model</source>
         <translation>Additives Modell</translation>
-    </message>
-    <message>
-        <source>Poses</source>
-        <translation>Lagen</translation>
-    </message>
-    <message>
-        <source>Number of random poses in the workspace</source>
-        <translation>Anzahl zufälliger Lagen im Arbeitsbereich</translation>
     </message>
     <message>
         <source>Noise</source>
@@ -20928,10 +20916,6 @@ Hall B
         <translation>Zeit je Lage [µs]</translation>
     </message>
     <message>
-        <source>Compares orientation estimators on random poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
-        <translation>Vergleicht Schätzer der Orientierung an zufälligen Lagen. Ein Gerät verbinden, das das Feld eines Rotors im Raum misst, oder eine Aufzeichnung davon abspielen.</translation>
-    </message>
-    <message>
         <source>The comparison was cancelled.</source>
         <translation>Der Vergleich wurde abgebrochen.</translation>
     </message>
@@ -20942,6 +20926,74 @@ Hall B
     <message>
         <source>not usable</source>
         <translation>nicht verwendbar</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>Poses on which the estimators are compared</source>
+        <translation>Lagen, an denen die Schätzer verglichen werden</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Zufällig</translation>
+    </message>
+    <message>
+        <source>Trajectory 1: tilt at Φ = 0°</source>
+        <translation>Trajektorie 1: Kippen bei Φ = 0°</translation>
+    </message>
+    <message>
+        <source>Trajectory 2: tilt at Φ = 90°</source>
+        <translation>Trajektorie 2: Kippen bei Φ = 90°</translation>
+    </message>
+    <message>
+        <source>Trajectory 3: around at Θ = 45°</source>
+        <translation>Trajektorie 3: Umlauf bei Θ = 45°</translation>
+    </message>
+    <message>
+        <source>Trajectory 4: spiral</source>
+        <translation>Trajektorie 4: Spirale</translation>
+    </message>
+    <message>
+        <source>Number of poses</source>
+        <translation>Anzahl der Lagen</translation>
+    </message>
+    <message>
+        <source>Random poses in the workspace, or rows chosen evenly of a recording</source>
+        <translation>Zufällige Lagen im Arbeitsbereich oder gleichmäßig gewählte Zeilen einer Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Spin γ</source>
+        <translation>Drehung γ</translation>
+    </message>
+    <message>
+        <source>Rotation about the shaft along a trajectory</source>
+        <translation>Drehung um die Welle entlang einer Trajektorie</translation>
+    </message>
+    <message>
+        <source>Noise that the recorded readings have; nothing is added</source>
+        <translation>Rauschen der aufgezeichneten Messwerte; keines wird hinzugefügt</translation>
+    </message>
+    <message>
+        <source>Rows of the recording</source>
+        <translation>Zeilen der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>The time is that of one thread of this computer.</source>
+        <translation>Die Zeit ist die eines Threads dieses Rechners.</translation>
+    </message>
+    <message>
+        <source>Errors are measured to the nearest of the four orientations with the same field.</source>
+        <translation>Fehler gelten gegen die nächste der vier Orientierungen mit gleichem Feld.</translation>
+    </message>
+    <message>
+        <source>The recording has no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
+        <translation>Die Aufzeichnung hat keine wahren Winkel (truth.alpha, truth.beta, truth.gamma): Fehler sind Abweichungen vom Projektor mit Gauß-Newton-Schritt.</translation>
+    </message>
+    <message>
+        <source>Compares orientation estimators on the same poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
+        <translation>Vergleicht Schätzer der Orientierung an denselben Lagen. Ein Gerät verbinden, das das Feld eines Rotors im Raum misst, oder eine Aufzeichnung davon abspielen.</translation>
     </message>
 </context>
 <context>

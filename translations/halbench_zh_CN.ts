@@ -20813,10 +20813,6 @@ Hall B
         <translation>用于比较的传感器</translation>
     </message>
     <message>
-        <source>Errors are measured to the nearest of the four orientations with the same field. The time is that of one thread of this computer.</source>
-        <translation>误差按四个同场姿态中最近的一个计算。时间为本机单线程的用时。</translation>
-    </message>
-    <message>
         <source>Readings from</source>
         <translation>读数来源</translation>
     </message>
@@ -20831,14 +20827,6 @@ Hall B
     <message>
         <source>Additive model</source>
         <translation>叠加模型</translation>
-    </message>
-    <message>
-        <source>Poses</source>
-        <translation>位姿数</translation>
-    </message>
-    <message>
-        <source>Number of random poses in the workspace</source>
-        <translation>工作空间内随机位姿的数量</translation>
     </message>
     <message>
         <source>Noise</source>
@@ -20913,10 +20901,6 @@ Hall B
         <translation>每位姿用时 [µs]</translation>
     </message>
     <message>
-        <source>Compares orientation estimators on random poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
-        <translation>在随机位姿上比较姿态估计器。请连接测量空间转子磁场的设备，或播放其记录。</translation>
-    </message>
-    <message>
         <source>The comparison was cancelled.</source>
         <translation>比较已取消。</translation>
     </message>
@@ -20927,6 +20911,74 @@ Hall B
     <message>
         <source>not usable</source>
         <translation>不可用</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Poses on which the estimators are compared</source>
+        <translation>用于比较估计器的位姿</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>随机</translation>
+    </message>
+    <message>
+        <source>Trajectory 1: tilt at Φ = 0°</source>
+        <translation>轨迹 1：在 Φ = 0° 倾斜</translation>
+    </message>
+    <message>
+        <source>Trajectory 2: tilt at Φ = 90°</source>
+        <translation>轨迹 2：在 Φ = 90° 倾斜</translation>
+    </message>
+    <message>
+        <source>Trajectory 3: around at Θ = 45°</source>
+        <translation>轨迹 3：在 Θ = 45° 绕行</translation>
+    </message>
+    <message>
+        <source>Trajectory 4: spiral</source>
+        <translation>轨迹 4：螺旋</translation>
+    </message>
+    <message>
+        <source>Number of poses</source>
+        <translation>位姿数</translation>
+    </message>
+    <message>
+        <source>Random poses in the workspace, or rows chosen evenly of a recording</source>
+        <translation>工作空间内的随机位姿，或从记录中均匀选取的行</translation>
+    </message>
+    <message>
+        <source>Spin γ</source>
+        <translation>自转 γ</translation>
+    </message>
+    <message>
+        <source>Rotation about the shaft along a trajectory</source>
+        <translation>沿轨迹绕转轴的旋转</translation>
+    </message>
+    <message>
+        <source>Noise that the recorded readings have; nothing is added</source>
+        <translation>已记录读数具有的噪声；不再添加</translation>
+    </message>
+    <message>
+        <source>Rows of the recording</source>
+        <translation>记录的行</translation>
+    </message>
+    <message>
+        <source>The time is that of one thread of this computer.</source>
+        <translation>时间为本机单线程的用时。</translation>
+    </message>
+    <message>
+        <source>Errors are measured to the nearest of the four orientations with the same field.</source>
+        <translation>误差按四个同场姿态中最近的一个计算。</translation>
+    </message>
+    <message>
+        <source>The recording has no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
+        <translation>记录中没有真实角度（truth.alpha、truth.beta、truth.gamma）：误差为与投影 + 高斯-牛顿一步的差。</translation>
+    </message>
+    <message>
+        <source>Compares orientation estimators on the same poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
+        <translation>在相同位姿上比较姿态估计器。请连接测量空间转子磁场的设备，或播放其记录。</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/analyses/analysis_plot.h"
 #include "app/documents/text/json_value.h"
 #include "app/procedures/base/procedure.h"
 #include "devices/formats/recording_file.h"
@@ -32,6 +33,9 @@ struct AnalysisValues {
     std::map<std::string, bool, std::less<>> flags;
     /// Values that an earlier step of a run found, when the text `calibration` names it.
     std::optional<std::vector<ParameterValue>> calibrated;
+    /// Those of AnalysisDevice::parameters when a device is named, or as a recording notes them: settings
+    /// that are not given are its own.
+    std::optional<std::vector<ParameterValue>> device;
 
     std::optional<double> number(std::string_view key) const;
     double numberOr(std::string_view key, double value) const { return number(key).value_or(value); }
@@ -58,7 +62,19 @@ struct AnalysisOutcome {
     JsonValue body = JsonValue::object();
     std::string summary;                ///< for people
     std::optional<AnalysisTable> table; ///< written by `--out FILE.csv`
+    std::vector<AnalysisPlot> plots;    ///< in the report of a run
 };
+
+/// The part of an analysis that a device can give in place of settings or a recording.
+struct AnalysisDevice {
+    std::string_view hint; ///< which devices are meant, for the message that refuses another one
+    std::vector<std::string> parameters;
+    /// Recorded when a recording is required; of the second list what the device has.
+    std::vector<std::string> (*signals)(const AnalysisValues& values) = nullptr;
+    std::vector<std::string> extraSignals = {};
+};
+
+enum class RecordingUse { None, Optional, Required };
 
 /// A computation of one actuator that needs no device: a command and a kind of experiment step. This table is
 /// the only place that knows its settings.
@@ -66,12 +82,13 @@ struct Analysis {
     std::string_view name;   ///< "orient": command and kind of step
     std::string_view schema; ///< "halbench.orientation/1"
     std::string_view help;
-    bool needsRecording = false;
+    RecordingUse recording = RecordingUse::None;
     bool writesTable = false; ///< --out takes the table; else the result
     std::vector<AnalysisKey> keys;
-    /// `file` is given when it needs a recording, `origin` names it in messages.
+    /// `file` is the recording, `origin` names it in messages.
     Result<AnalysisOutcome> (*run)(const AnalysisValues& values, const devices::RecordedFile* file,
                                    const std::string& origin, const AnalysisControl& control) = nullptr;
+    std::optional<AnalysisDevice> device = {}; ///< nothing: it takes no device
 };
 
 /// "noise_uT" -> "--noise-uT"

@@ -1,11 +1,19 @@
+#include "app/analyses/analysis_settings.h"
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
+#include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
 #include "app/headless/analysis_control.h"
+#include "app/headless/analysis_device.h"
 #include "app/headless/command_header.h"
+#include "app/headless/recording_file.h"
 #include "app/headless/recording_integrity.h"
+#include "app/procedures/record/record_procedure.h"
+#include "devices/device_uri.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace halbench::app {
 
@@ -13,19 +21,32 @@ namespace {
 
 struct AnalysisOptions {
     const Analysis* analysis;
-    std::string input; ///< RECORDING
-    std::string out;
-    std::map<std::string, std::string> values; ///< by the keys of the analysis
-    std::map<std::string, bool> flags;
+    std::string input = {}; ///< RECORDING, SPEC or DEVICE
+    std::string out = {};
+    AnalysisTexts texts = {};
+    std::string duration = {}, rate = {}, recordFile = {}; ///< of a device whose rows are taken
 };
+
+/// What the input and the options give to an analysis.
+struct AnalysisInput {
+    AnalysisValues values;
+    std::optional<devices::RecordedFile> file;
+    ResultHeader header;
+};
+
+constexpr double StandardDuration_s = 10.0;
+
+bool takesRows(const Analysis& analysis) {
+    return analysis.recording == RecordingUse::Required && analysis.device;
+}
 
 Result<void> writeOutput(CommandContext& context, const AnalysisOptions& options,
                          const AnalysisOutcome& result) {
     if (options.out.empty() || !options.analysis->writesTable || !result.table) {
         return {};
     }
-    const Result<void> free =
-        options.input.empty() ? Result<void>() : checkIsNoInput(options.out, {options.input});
+    const bool isFile = !options.input.empty() && !devices::parseDeviceUri(options.input);
+    const Result<void> free = isFile ? checkIsNoInput(options.out, {options.input}) : Result<void>();
     const Result<void> written = free ? writeFile(options.out, analysisCsv(*result.table)) : free;
     if (written) {
         context.console.log(LogLevel::Info, "wrote " + options.out);
@@ -35,47 +56,187 @@ Result<void> writeOutput(CommandContext& context, const AnalysisOptions& options
 
 void addOptions(CommandSyntax& syntax, AnalysisOptions& options) {
     const Analysis& analysis = *options.analysis;
-    if (analysis.needsRecording) {
-        syntax.argument("RECORDING", options.input, "Recording");
+    if (analysis.recording == RecordingUse::Required) {
+        syntax.argument("RECORDING", options.input,
+                        analysis.device ? "Recording, or a device whose rows are recorded" : "Recording");
+    } else {
+        std::string help = "File of settings (.toml)";
+        help += analysis.device ? ", or a device that has them" : "";
+        help += analysis.recording == RecordingUse::Optional ? ", or a recording" : "";
+        syntax.option("SPEC", options.input, help);
     }
     for (const AnalysisKey& key : analysis.keys) {
         const std::string name(key.name);
         const std::string help(key.help);
         if (key.type == AnalysisKeyType::Flag) {
-            syntax.flag(optionOf(key), options.flags[name], help);
+            syntax.flag(optionOf(key), options.texts.flags[name], help);
         } else {
-            syntax.option(optionOf(key), options.values[name], help,
+            syntax.option(optionOf(key), options.texts.values[name], help,
                           key.choices.empty() ? "VALUE" : std::string(key.choices));
         }
+    }
+    if (takesRows(analysis)) {
+        syntax.option("--duration", options.duration, "Of a device: how long it is recorded; default 10",
+                      "S");
+        syntax.option("--rate", options.rate, "Of a device: rows per second; default 100", "HZ");
+        syntax.recording("--record", options.recordFile, "Of a device: recording of its rows");
     }
     syntax.option("--out", options.out, analysis.writesTable ? "Table" : "Result",
                   analysis.writesTable ? "FILE.csv" : "FILE.json");
 }
 
-CommandResult runAnalysisCommand(CommandContext& context, const AnalysisOptions& options) {
-    const Analysis& analysis = *options.analysis;
-    const Result<AnalysisValues> values = parseAnalysisValues(analysis, options.values, options.flags);
+/// Settings of a file with those of the command line, which win.
+Result<AnalysisTexts> mergedTexts(const AnalysisOptions& options, const std::string& specification) {
+    if (specification.empty()) {
+        return options.texts;
+    }
+    Result<AnalysisTexts> texts = readAnalysisSettings(*options.analysis, specification);
+    if (!texts) {
+        return texts;
+    }
+    for (const auto& [name, value] : options.texts.values) {
+        if (!value.empty()) {
+            texts->values[name] = value;
+        }
+    }
+    for (const auto& [name, isGiven] : options.texts.flags) {
+        texts->flags[name] = texts->flags[name] || isGiven;
+    }
+    return texts;
+}
+
+Result<AnalysisInput> inputOfSettings(CommandContext& context, const AnalysisOptions& options) {
+    const Result<AnalysisTexts> texts = mergedTexts(options, options.input);
+    if (!texts) {
+        return failure(texts.error());
+    }
+    const Result<AnalysisValues> values = parseAnalysisValues(*options.analysis, texts->values, texts->flags);
     if (!values) {
         return failure(values.error());
     }
-    ResultHeader header = headerFor(context, std::string(analysis.schema));
-    std::optional<devices::RecordedFile> file;
-    if (analysis.needsRecording) {
-        Result<devices::RecordedFile> read =
-            devices::readRecordingFile(options.input, [&context] { return checkInterrupt(context); });
-        if (!read) {
-            return failure(read.error());
-        }
-        file = *std::move(read);
-        sayWarnings(context, file->warnings);
-        noteWarnings(header.quality, file->warnings);
-        if (file->hasMeta) {
-            header.device = file->meta.device;
-            header.started = file->meta.started;
+    return AnalysisInput{*values, {}, headerFor(context, std::string(options.analysis->schema))};
+}
+
+/// What a recording notes of its device; nothing when it notes none of it.
+std::optional<std::vector<ParameterValue>> notedValues(const Analysis& analysis,
+                                                       const devices::RecordingMeta& meta) {
+    std::vector<ParameterValue> values;
+    const std::vector<std::string> names =
+        analysis.device ? analysis.device->parameters : std::vector<std::string>();
+    for (const devices::RecordingMeta::ParameterNote& note : meta.parameters) {
+        if (std::find(names.begin(), names.end(), note.name) != names.end()) {
+            values.push_back({note.name, note.value});
         }
     }
-    const Result<AnalysisOutcome> result =
-        analysis.run(*values, file ? &*file : nullptr, options.input, analysisControl(context, analysis));
+    return values.empty() ? std::nullopt : std::optional(values);
+}
+
+Result<AnalysisInput> inputOfRecording(CommandContext& context, const AnalysisOptions& options,
+                                       const std::string& path) {
+    const Result<AnalysisValues> values =
+        parseAnalysisValues(*options.analysis, options.texts.values, options.texts.flags);
+    const Result<void> fits =
+        refuseGiven({{"--duration", !options.duration.empty()},
+                     {"--rate", !options.rate.empty()},
+                     {"--record", !options.recordFile.empty()}},
+                    "belongs to a device, not to a recording", "leave it out, or name a device");
+    if (!values || !fits) {
+        return failure(values ? fits.error() : values.error());
+    }
+    Result<devices::RecordedFile> file =
+        devices::readRecordingFile(path, [&context] { return checkInterrupt(context); });
+    if (!file) {
+        return failure(file.error());
+    }
+    sayWarnings(context, file->warnings);
+    AnalysisInput input{*values, {}, headerFor(context, std::string(options.analysis->schema))};
+    noteWarnings(input.header.quality, file->warnings);
+    if (file->hasMeta) {
+        input.header.device = file->meta.device;
+        input.header.started = file->meta.started;
+    }
+    input.values.device = notedValues(*options.analysis, file->meta);
+    input.file = *std::move(file);
+    return input;
+}
+
+/// Records rows of a device, and keeps them with --record.
+Result<devices::RecordedFile> recordRows(CommandContext& context, const AnalysisOptions& options,
+                                         devices::Device& device, AnalysisInput& input) {
+    const Result<std::optional<double>> duration = optionalNumber("--duration", options.duration);
+    const Result<std::optional<double>> rate = optionalNumber("--rate", options.rate);
+    if (!duration || !rate) {
+        return failure(duration ? rate.error() : duration.error());
+    }
+    RecordConfig config;
+    config.signals = deviceSignalsFor(*options.analysis, input.values, device.catalogue());
+    config.duration_s = duration->value_or(StandardDuration_s);
+    config.rate_Hz = rate->value_or(config.rate_Hz);
+    const Result<RecordResult> rows = runRecord(device, config, observerFor(context));
+    if (!rows) {
+        return failure(rows.error());
+    }
+    addQuality(input.header.quality, rows->quality);
+    if (!options.recordFile.empty()) {
+        const auto written =
+            writeRecording(options.recordFile, rows->recording, device, {input.header.started, {}, {}});
+        if (!written) {
+            return failure(written.error());
+        }
+        context.console.log(LogLevel::Info, "wrote " + options.recordFile);
+    }
+    devices::RecordedFile file;
+    file.recording = rows->recording;
+    return file;
+}
+
+Result<AnalysisInput> inputOfDevice(CommandContext& context, const AnalysisOptions& options) {
+    const Analysis& analysis = *options.analysis;
+    const Result<AnalysisValues> values =
+        parseAnalysisValues(analysis, options.texts.values, options.texts.flags);
+    if (!values) {
+        return failure(values.error());
+    }
+    const Result<std::unique_ptr<devices::Device>> device = openDeviceFor(context, options.input);
+    if (!device) {
+        return failure(device.error());
+    }
+    const auto own = deviceValuesFor(analysis, **device);
+    if (!own) {
+        return failure(own.error());
+    }
+    AnalysisInput input{*values, {}, headerFor(context, std::string(analysis.schema), **device)};
+    input.values.device = *own;
+    if (analysis.recording == RecordingUse::Required) {
+        Result<devices::RecordedFile> rows = recordRows(context, options, **device, input);
+        if (!rows) {
+            return failure(rows.error());
+        }
+        input.file = *std::move(rows);
+    }
+    return input;
+}
+
+Result<AnalysisInput> inputOf(CommandContext& context, const AnalysisOptions& options) {
+    const std::optional<std::string> path = recordingPath(options.input);
+    const bool isDevice = !path && !options.input.empty() && devices::parseDeviceUri(options.input);
+    const bool isRequired = options.analysis->recording == RecordingUse::Required;
+    if ((isRequired && !isDevice) || (path && options.analysis->recording == RecordingUse::Optional)) {
+        return inputOfRecording(context, options, path.value_or(options.input));
+    }
+    return isDevice ? inputOfDevice(context, options) : inputOfSettings(context, options);
+}
+
+CommandResult runAnalysisCommand(CommandContext& context, const AnalysisOptions& options) {
+    const Analysis& analysis = *options.analysis;
+    Result<AnalysisInput> input = inputOf(context, options);
+    if (!input) {
+        return failure(input.error());
+    }
+    ResultHeader& header = input->header;
+    const std::optional<devices::RecordedFile>& file = input->file;
+    const Result<AnalysisOutcome> result = analysis.run(input->values, file ? &*file : nullptr, options.input,
+                                                        analysisControl(context, analysis));
     if (!result) {
         const Result<void> stopped = checkInterrupt(context);
         return failure(stopped ? result.error() : stopped.error());
@@ -96,15 +257,14 @@ CommandResult runAnalysisCommand(CommandContext& context, const AnalysisOptions&
 }
 
 CommandOutputs outputsOf(const AnalysisOptions& options) {
-    return {{options.out}, {}};
+    return {{options.out}, {options.recordFile}};
 }
 
 } // namespace
 
 Command analysisCommand(const Analysis& analysis) {
     return makeCommand<AnalysisOptions>(std::string(analysis.name), std::string(analysis.help),
-                                        {addOptions, runAnalysisCommand, outputsOf},
-                                        {&analysis, {}, {}, {}, {}});
+                                        {addOptions, runAnalysisCommand, outputsOf}, {&analysis});
 }
 
 } // namespace halbench::app

@@ -213,9 +213,14 @@ std::vector<KeySpec> allKeys() {
         }
     }
     for (const Analysis& analysis : analyses()) {
-        if (analysis.needsRecording) {
+        if (analysis.recording != RecordingUse::None) {
+            const bool isRequired = analysis.recording == RecordingUse::Required;
             keys.push_back(
-                {analysis.name, "recording", Name, true, 0, 0, "", "step whose recording is used"});
+                {analysis.name, "recording", Name, isRequired, 0, 0, "", "step whose recording is used"});
+        }
+        if (analysis.device) {
+            keys.push_back({analysis.name, "from_device", Boolean, false, 0, 0, "",
+                            "settings that are not given are those of the run's device; default false"});
         }
         for (const AnalysisKey& key : analysis.keys) {
             const bool isText = key.type == AnalysisKeyType::Text || key.type == AnalysisKeyType::Choice;

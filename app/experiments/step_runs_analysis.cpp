@@ -1,6 +1,7 @@
 #include "app/analyses/registry/analyses.h"
 #include "app/experiments/step_runs.h"
 #include "app/headless/analysis_control.h"
+#include "app/headless/analysis_device.h"
 #include "devices/recording/recording_meta.h"
 
 #include <algorithm>
@@ -55,7 +56,7 @@ Result<devices::RecordedFile> recordingOf(StepRun& run, const std::string& name)
 Result<StepOutcome> runAnalysisStep(StepRun& run, const ExperimentStep& step, const Analysis& analysis) {
     std::optional<devices::RecordedFile> file;
     const std::string source = step.text("recording").value_or("");
-    if (analysis.needsRecording) {
+    if (analysis.recording != RecordingUse::None && !source.empty()) {
         Result<devices::RecordedFile> recording = recordingOf(run, source);
         if (!recording) {
             return failure(recording.error());
@@ -63,6 +64,13 @@ Result<StepOutcome> runAnalysisStep(StepRun& run, const ExperimentStep& step, co
         file = *std::move(recording);
     }
     AnalysisValues values = valuesOf(step, analysis);
+    if (step.isTrue("from_device")) {
+        const auto own = deviceValuesFor(analysis, run.device);
+        if (!own) {
+            return failure(own.error());
+        }
+        values.device = *own;
+    }
     const std::string named = values.text("calibration");
     if (const auto* calibration = run.find<CalibrateResult>(named)) {
         if (calibration->quality.verdict == Verdict::Refused) {

@@ -1,6 +1,6 @@
 #include "app/workbench/shown_recording.h"
 
-#include "devices/formats/replay_device.h"
+#include "app/workbench/played_recording.h"
 #include "devices/recording/time_axis.h"
 #include "widgets/language/phrasebook.h"
 
@@ -97,17 +97,14 @@ void ShownRecording::onState() {
         forget();
         return;
     }
-    m_bench.session().request(
-        [](devices::Device& device) {
-            return Result<std::shared_ptr<const devices::RecordedFile>>(devices::recordingOf(device));
-        },
-        [this, wanted = m_wanted](const Result<std::shared_ptr<const devices::RecordedFile>>& file) {
-            if (wanted == m_wanted && file && *file) {
-                m_wanted.clear();
-                begin(*file);
-                sayDoubts();
-            }
-        });
+    askPlayedRecording(m_bench.session(), *this,
+                       [this, wanted = m_wanted](std::shared_ptr<const devices::RecordedFile> file) {
+                           if (wanted == m_wanted && file != nullptr) {
+                               m_wanted.clear();
+                               begin(std::move(file));
+                               sayDoubts();
+                           }
+                       });
 }
 
 void ShownRecording::begin(std::shared_ptr<const devices::RecordedFile> file) {

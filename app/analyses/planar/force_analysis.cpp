@@ -135,7 +135,7 @@ Analysis forceAnalysis() {
     return {"forces",
             "halbench.forces/1",
             "Force constants, errors of the published force model and its numbers of a planar positioner",
-            false,
+            RecordingUse::None,
             false,
             forceKeys(),
             runForces};

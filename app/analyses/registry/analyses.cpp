@@ -4,9 +4,11 @@
 #include "app/analyses/spherical/coverage_analysis.h"
 #include "app/analyses/spherical/differences_analysis.h"
 #include "app/analyses/spherical/estimator_analysis.h"
+#include "app/analyses/spherical/field_analysis.h"
 #include "app/analyses/spherical/orientation_analysis.h"
 #include "app/analyses/spherical/placement_analysis.h"
 #include "app/analyses/spherical/readings_analysis.h"
+#include "app/analyses/spherical/swarm_analysis.h"
 
 #include <algorithm>
 
@@ -14,8 +16,9 @@ namespace halbench::app {
 
 const std::vector<Analysis>& analyses() {
     static const std::vector<Analysis> all = {
-        orientationAnalysis(), coverageAnalysis(),    placementAnalysis(), readingsAnalysis(),
-        estimatorAnalysis(),   differencesAnalysis(), forceAnalysis()};
+        orientationAnalysis(), coverageAnalysis(),  placementAnalysis(),
+        readingsAnalysis(),    estimatorAnalysis(), differencesAnalysis(),
+        swarmAnalysis(),       fieldAnalysis(),     forceAnalysis()};
     return all;
 }
 

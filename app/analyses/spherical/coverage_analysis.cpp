@@ -69,7 +69,7 @@ Result<models::PoseGrid> gridOf(double step_deg, const char* key) {
 }
 
 Result<void> compute(const AnalysisValues& values, const AnalysisControl& control, Coverage& work) {
-    const models::CoverageModel model = models::coverageModelOf(work.choice.device, work.choice.placement);
+    const models::CoverageModel model = work.choice.coverageModel();
     const Result<models::PoseGrid> fine = gridOf(values.numberOr("step_deg", 1.0), "step_deg");
     const Result<models::PoseGrid> coarse = gridOf(values.numberOr("map_step_deg", 5.0), "map_step_deg");
     if (!fine || !coarse) {
@@ -176,7 +176,7 @@ Result<AnalysisOutcome> runCoverage(const AnalysisValues& values, const devices:
     }
     work.choice = *choice;
     work.threshold_T = values.numberOr("threshold_mT", 10.0) / 1e3;
-    work.noise_T = values.numberOr("noise_uT", 100.0) / 1e6;
+    work.noise_T = noiseChoice_T(values);
     work.quantity =
         static_cast<models::CoverageQuantity>(choiceIndex(models::CoverageQuantityNames, values.text("map")));
     if (const Result<void> done = compute(values, control, work); !done) {
@@ -195,10 +195,11 @@ Analysis coverageAnalysis() {
     return {"coverage",
             "halbench.coverage/1",
             "Coverage of three field sensors: proof or counterexample, and the error to expect",
-            false,
+            RecordingUse::None,
             true,
             coverageKeys(),
-            runCoverage};
+            runCoverage,
+            sensingDevice()};
 }
 
 } // namespace halbench::app

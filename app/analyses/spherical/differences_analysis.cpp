@@ -119,7 +119,7 @@ Analysis differencesAnalysis() {
     return {"differences",
             "halbench.differences/1",
             "Published difference functions of a sensor placement, with every reduction and all ranks",
-            false,
+            RecordingUse::None,
             false,
             differenceKeys(),
             runDifferences};

@@ -2,7 +2,9 @@
 
 #include "app/analyses/spherical/estimator_comparison.h"
 #include "app/analyses/spherical/placement_choice.h"
+#include "app/analyses/spherical/recorded_rows.h"
 #include "control/base/units.h"
+#include "models/spherical/calibration_remainder.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@ namespace halbench::app {
 
 namespace {
 
+constexpr double UsualPasses = 4.0; ///< where the harmonics are known
 constexpr std::array<std::string_view, 3> HarmonicNames = {"none", "h1", "h2"};
 
 std::vector<AnalysisKey> estimatorKeys() {
@@ -18,14 +21,16 @@ std::vector<AnalysisKey> estimatorKeys() {
     const std::vector<AnalysisKey> own = {
         {"poses", Choice, 0, 0, "workspace|trajectory1|trajectory2|trajectory3|trajectory4",
          "random poses of the workspace (default) or a published trajectory of 25"},
-        {"count", Integer, 10, 1e6, "", "how many random poses; default 2000"},
+        {"count", Integer, 10, 1e6, "",
+         "how many random poses or, evenly chosen, rows of a recording; default 2000"},
         {"spin_deg", Number, -180, 180, "", "spin along a trajectory; default 0"},
         {"harmonics", Choice, 0, 0, "none|h1|h2", "harmonics of the device; default none"},
         {"passes", Integer, 0, 20, "", "how often estimators correct them; default 0: they do not know them"},
         {"known_strength", Flag, 0, 0, "", "hold the strength of the field at q_T"},
         {"only", Choice, 0, 0, "all|tensor|projector|refined|lm|closed|closed-fitted|swarm",
          "one estimator; default all"},
-        {"noise_uT", Number, 0, 1e5, "", "noise of a reading, rms; default 0"},
+        {"noise_uT", Number, 0, 1e5, "",
+         "noise of a reading, rms; default 0, of a recording that of its board"},
         {"failure_deg", Number, 1e-9, 180, "", "an error above it is a failure; default 0.1"},
         {"rng_seed", Integer, 0, 4294967295.0, "", "random numbers of poses, noise and swarm; default 1"},
     };
@@ -36,14 +41,45 @@ std::vector<AnalysisKey> estimatorKeys() {
 struct EstimatorSetup {
     PlacementChoice choice;
     EstimatorComparisonConfig config;
+    std::string harmonics = "none";
 };
 
-Result<EstimatorSetup> setupOf(const AnalysisValues& values) {
+/// The rows, sensors and field of a recording.
+Result<void> takeRecording(const AnalysisValues& values, const devices::RecordedFile& file,
+                           const std::string& origin, EstimatorSetup& setup) {
+    EstimatorComparisonConfig& config = setup.config;
+    SensingBoard board = chosenBoard(values).value_or(SensingBoard());
+    if (!chosenBoard(values)) {
+        board.calibration = models::nominalCalibration(setup.choice.poses(), config.sensing.field);
+        board.tolerance_T =
+            models::RemainingError(board.calibration, models::assemblyRemainder(board.calibration, {}))
+                .readingDeviation_T(); // sensors as assembled
+    } else if (values.text("harmonics").empty()) {
+        config.sensing.field = board.calibration.field;
+        std::erase_if(config.sensing.field.harmonics,
+                      [](const auto& term) { return term.amplitude_T == 0.0; });
+        const bool isKnown = !config.sensing.field.harmonics.empty();
+        config.passes = static_cast<int>(values.numberOr("passes", isKnown ? UsualPasses : 0.0));
+        setup.harmonics = isKnown ? "board" : "none";
+    }
+    Result<RecordedRows> rows = recordedRows(file, origin, board, config.count);
+    if (!rows) {
+        return failure(rows.error());
+    }
+    config.rows = std::make_shared<const RecordedRows>(*std::move(rows));
+    config.sensing.deviation_T = models::SphericalReadings::Constant(noiseChoice_T(values));
+    config.possibleLimit_ratio = rowsLimit_ratio(board, noiseChoice_T(values));
+    return {};
+}
+
+Result<EstimatorSetup> setupOf(const AnalysisValues& values, const devices::RecordedFile* file,
+                               const std::string& origin) {
     const Result<PlacementChoice> choice = placementChoice(values);
     if (!choice) {
         return failure(choice.error());
     }
-    EstimatorSetup setup{*choice, {}};
+    EstimatorSetup setup{
+        *choice, {}, std::string(HarmonicNames[choiceIndex(HarmonicNames, values.text("harmonics"))])};
     EstimatorComparisonConfig& config = setup.config;
     config.device = choice->device.device;
     config.sensing.poses = choice->poses();
@@ -62,6 +98,11 @@ Result<EstimatorSetup> setupOf(const AnalysisValues& values) {
     const std::string only = values.text("only");
     if (!only.empty() && only != "all") {
         config.only = static_cast<models::EstimatorKind>(choiceIndex(models::EstimatorNames, only));
+    }
+    if (const Result<void> taken =
+            file == nullptr ? Result<void>() : takeRecording(values, *file, origin, setup);
+        !taken) {
+        return failure(taken.error());
     }
     return setup;
 }
@@ -98,9 +139,23 @@ std::string rowText(const ComparedEstimator& row) {
                        radiansToDegrees(row.shaftRms_rad), row.errors->failures);
 }
 
-Result<AnalysisOutcome> runEstimators(const AnalysisValues& values, const devices::RecordedFile*,
-                                      const std::string&, const AnalysisControl& control) {
-    const Result<EstimatorSetup> setup = setupOf(values);
+std::string headOf(const EstimatorComparisonConfig& config, const EstimatorComparison& comparison) {
+    const std::string poses =
+        config.rows
+            ? fmt::format("{} of {} recorded rows{}, compared with {}", comparison.poses, config.rows->rows,
+                          config.rows->incomplete > 0
+                              ? fmt::format(" ({} without all readings left out)", config.rows->incomplete)
+                              : "",
+                          comparison.isAgainstTruth ? "their true angles" : "'refined'")
+            : fmt::format("{} poses of a device '{}'", comparison.poses,
+                          models::SphericalDeviceNames[static_cast<std::size_t>(config.device)]);
+    return fmt::format("{}, {} of them in the workspace\n  {:<14} {:>12} {:>12} {:>12} {:>9}\n", poses,
+                       comparison.inside, "estimator", "rms deg", "worst deg", "shaft deg", "failures");
+}
+
+Result<AnalysisOutcome> runEstimators(const AnalysisValues& values, const devices::RecordedFile* file,
+                                      const std::string& origin, const AnalysisControl& control) {
+    const Result<EstimatorSetup> setup = setupOf(values, file, origin);
     if (!setup) {
         return failure(setup.error());
     }
@@ -111,20 +166,19 @@ Result<AnalysisOutcome> runEstimators(const AnalysisValues& values, const device
     }
     AnalysisOutcome outcome;
     JsonValue rows = JsonValue::array();
-    outcome.summary =
-        fmt::format("{} poses of a device '{}', {} of them in the workspace\n  {:<14} {:>12} {:>12} "
-                    "{:>12} {:>9}\n",
-                    comparison->poses, models::SphericalDeviceNames[static_cast<std::size_t>(config.device)],
-                    comparison->inside, "estimator", "rms deg", "worst deg", "shaft deg", "failures");
+    outcome.summary = headOf(config, *comparison);
     for (const ComparedEstimator& row : comparison->estimators) {
         rows.push(rowJson(row));
         outcome.summary += rowText(row);
     }
     outcome.body.set("placement", placementJson(setup->choice.device, setup->choice.placement));
-    outcome.body.set("poses", ComparedPosesNames[static_cast<std::size_t>(config.poses)]);
+    outcome.body.set("poses", config.rows ? std::string_view("recording")
+                                          : ComparedPosesNames[static_cast<std::size_t>(config.poses)]);
+    outcome.body.set("compared_with", comparison->isAgainstTruth ? "truth" : "refined");
     outcome.body.set("count", comparison->poses).set("in_workspace", comparison->inside);
-    outcome.body.set("harmonics", HarmonicNames[choiceIndex(HarmonicNames, values.text("harmonics"))]);
-    outcome.body.set("passes", config.passes).set("noise_T", config.noise_T);
+    outcome.body.set("harmonics", setup->harmonics);
+    outcome.body.set("passes", config.passes);
+    outcome.body.set("noise_T", config.rows ? config.sensing.deviation_T[0] : config.noise_T);
     outcome.body.set("failure_deg", radiansToDegrees(config.failureLimit_rad)).set("estimators", rows);
     return outcome;
 }
@@ -135,10 +189,11 @@ Analysis estimatorAnalysis() {
     return {"estimators",
             "halbench.estimators/1",
             "Compare the estimators of a spherical rotor's orientation on the same poses",
-            false,
+            RecordingUse::Optional,
             false,
             estimatorKeys(),
-            runEstimators};
+            runEstimators,
+            sensingDevice()};
 }
 
 } // namespace halbench::app

@@ -39,6 +39,16 @@ models::OrientationAngles poseOf(const EstimatorComparisonConfig& config, int in
     return angles;
 }
 
+ComparedReadings takeRows(const RecordedRows& rows) {
+    ComparedReadings work;
+    work.readings_T = rows.readings_T;
+    for (const models::OrientationAngles& angles : rows.truth) {
+        work.truth.push_back(models::rotationOf(angles));
+        work.inside += models::isInWorkspace(models::anglesOf(models::representative(work.truth.back())));
+    }
+    return work;
+}
+
 ComparedReadings readSensors(const EstimatorComparisonConfig& config, Random& random) {
     ComparedReadings work;
     const int count = config.poses == ComparedPoses::Workspace ? config.count : models::PublishedSamples;
@@ -70,6 +80,7 @@ models::AnyEstimatorConfig estimatorConfig(const EstimatorComparisonConfig& conf
         estimator.sensing.field.harmonics.clear();
     }
     estimator.settings.fit.isStrengthFree = config.isStrengthFree;
+    estimator.settings.possibleLimit_ratio = config.possibleLimit_ratio;
     estimator.seed = seed;
     return estimator;
 }
@@ -108,6 +119,29 @@ void judge(const Estimates& found, const ComparedReadings& work, double failureL
     row.shaftRms_rad = row.estimated > 0 ? std::sqrt(squares / row.estimated) : 0.0;
 }
 
+/// Rows without true angles have the poses of one estimator in their place; those that it cannot give are
+/// left out.
+Result<void> supplyTruth(models::AnyEstimatorConfig settings, ComparedReadings& work) {
+    settings.kind = models::EstimatorKind::Refined;
+    const auto estimator = models::makeAnyEstimator(settings);
+    if (!estimator) {
+        return failure(estimator.error());
+    }
+    ComparedReadings known;
+    for (const models::SphericalReadings& readings_T : work.readings_T) {
+        if (const std::optional<Eigen::Matrix3d> rotation = (*estimator)(readings_T)) {
+            known.truth.push_back(*rotation);
+            known.readings_T.push_back(readings_T);
+            known.inside += models::isInWorkspace(models::anglesOf(*rotation));
+        }
+    }
+    work = std::move(known);
+    return work.truth.empty()
+               ? failure(ErrorCode::Refused, "The readings of no recorded row fit an orientation.",
+                         "Check where the sensors are and how strong the rotor is, or calibrate.")
+               : Result<void>();
+}
+
 bool isWanted(const EstimatorComparisonConfig& config, std::size_t kind) {
     return !config.only || *config.only == static_cast<models::EstimatorKind>(kind);
 }
@@ -142,9 +176,13 @@ private:
 Result<EstimatorComparison> compareEstimators(const EstimatorComparisonConfig& config,
                                               const AnalysisControl& control, const StopWatch& now_s) {
     Random random(config.seed);
-    const ComparedReadings work = readSensors(config, random);
+    ComparedReadings work = config.rows ? takeRows(*config.rows) : readSensors(config, random);
     models::AnyEstimatorConfig settings = estimatorConfig(config, random.bits());
     EstimatorComparison comparison;
+    comparison.isAgainstTruth = !work.truth.empty();
+    if (const auto done = work.truth.empty() ? supplyTruth(settings, work) : Result<void>(); !done) {
+        return failure(done.error());
+    }
     comparison.poses = static_cast<int>(work.truth.size());
     comparison.inside = work.inside;
     CostProgress progress(config, control);

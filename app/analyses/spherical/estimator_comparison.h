@@ -1,12 +1,13 @@
 #pragma once
 
-#include "app/analyses/analysis.h"
+#include "app/analyses/spherical/recorded_rows.h"
 #include "models/spherical/any_estimator.h"
 #include "models/spherical/coverage/placed_sensor.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,7 +33,10 @@ struct EstimatorComparisonConfig {
     double noise_T = 0.0;                            ///< of a reading, rms
     double failureLimit_rad = 0.0017453292519943296; ///< 0.1 degrees: a larger error is a failure
     std::uint64_t seed = 1;                          ///< of poses, noise and swarm
-    std::optional<models::EstimatorKind> only;       ///< empty: all of them
+    /// Take the place of poses and readings that are made; their noise is their own.
+    std::shared_ptr<const RecordedRows> rows;
+    double possibleLimit_ratio = 1.0;          ///< as models::OrientationConfig
+    std::optional<models::EstimatorKind> only; ///< empty: all of them
 };
 
 /// One estimator on all poses, modulo the symmetry of the rotor.
@@ -48,14 +52,17 @@ struct ComparedEstimator {
 struct EstimatorComparison {
     int poses = 0;
     int inside = 0; ///< of the workspace
+    /// False: recorded rows without true angles, compared with the projector with a Gauss-Newton step.
+    bool isAgainstTruth = true;
     std::vector<ComparedEstimator> estimators;
 };
 
 /// A running time in seconds; empty: nothing is timed.
 using StopWatch = std::function<double()>;
 
-/// Every estimator on the same poses with the same noise. Equal settings give equal errors; the time is
-/// that of this machine now. Errors: of makeAnyEstimator(); Interrupted.
+/// Every estimator on the same poses with the same noise, or on the same recorded rows. Equal settings give
+/// equal errors; the time is that of this machine now. Errors: of makeAnyEstimator(); Refused (no row to
+/// compare with); Interrupted.
 Result<EstimatorComparison> compareEstimators(const EstimatorComparisonConfig& config,
                                               const AnalysisControl& control, const StopWatch& now_s = {});
 

@@ -3,6 +3,7 @@
 #include "app/analyses/spherical/orientation_confidence.h"
 #include "app/analyses/spherical/orientation_readings.h"
 #include "app/analyses/spherical/placement_choice.h"
+#include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/result_text.h"
 #include "control/base/units.h"
@@ -352,6 +353,51 @@ AnalysisTable toTable(const Orientation& work) {
     return table;
 }
 
+/// The angles over the time, beside the true ones.
+AnalysisPlot anglesPlot(const Orientation& work) {
+    constexpr std::array Names = {"alpha", "beta", "gamma"};
+    constexpr std::array Angles = {&models::OrientationAngles::alpha_rad,
+                                   &models::OrientationAngles::beta_rad,
+                                   &models::OrientationAngles::gamma_rad};
+    AnalysisPlot plot;
+    plot.title = "Orientation, M = Rx(alpha) Ry(beta) Rz(gamma)";
+    plot.x = {"time", "s"};
+    const std::size_t step = 1 + (work.poses.size() - 1) / ListedPoses;
+    const bool hasTruth = !work.readings.truth.empty();
+    for (std::size_t angle = 0; angle < Angles.size(); ++angle) {
+        AnalysisCurve truth{"true", {}, {}};
+        AnalysisCurve found{hasTruth ? "estimated" : "", {}, {}, true};
+        for (std::size_t row = 0; row < work.poses.size(); row += step) {
+            const double time_s = work.readings.time_s[row];
+            if (hasTruth) {
+                truth.x.push_back(time_s);
+                truth.y.push_back(radiansToDegrees(work.readings.truth[row].*Angles[angle]));
+            }
+            if (work.poses[row].isOriented()) {
+                found.x.push_back(time_s);
+                found.y.push_back(radiansToDegrees(work.poses[row].angles.*Angles[angle]));
+            }
+        }
+        AnalysisPanel panel{{Names[angle], "deg"}, {found}};
+        if (hasTruth) {
+            panel.curves.push_back(truth);
+        }
+        plot.panels.push_back(panel);
+    }
+    return plot;
+}
+
+/// Errors of all rows, modulo the symmetry.
+AnalysisPlot errorPlot(const Orientation& work) {
+    AnalysisCurve error{"", {}, {}};
+    const std::size_t step = 1 + (work.poses.size() - 1) / ListedPoses;
+    for (std::size_t row = 0; row < work.poses.size(); row += step) {
+        error.x.push_back(work.readings.time_s[row]);
+        error.y.push_back(radiansToDegrees(work.poses[row].error_rad));
+    }
+    return {"Error of the orientation", {"time", "s"}, {{{"error", "deg"}, {error}}}};
+}
+
 template <typename Note>
 void noteSaturation(const Orientation& work, Note note) {
     std::string names;
@@ -492,19 +538,42 @@ Result<AnalysisOutcome> runOrientation(const AnalysisValues& values, const devic
     result.body = toBody(work);
     result.summary = summaryOf(work, result.quality);
     result.table = toTable(work);
+    result.plots.push_back(anglesPlot(work));
+    if (!work.readings.truth.empty()) {
+        result.plots.push_back(errorPlot(work));
+    }
     return result;
+}
+
+/// Nine readings, and with `truth` the true angles that a simulated device has.
+std::vector<std::string> recordedSignals(const AnalysisValues& values) {
+    std::vector<std::string> signals = splitList(values.text("readings"));
+    if (signals.empty()) {
+        signals = fieldSignals();
+    }
+    if (values.isSet("truth")) {
+        const std::string truth = values.text("truth_signals");
+        const std::vector<std::string> names =
+            splitList(truth.empty() ? UsualTruthSignals : std::string_view(truth));
+        signals.insert(signals.end(), names.begin(), names.end());
+    }
+    return signals;
 }
 
 } // namespace
 
 Analysis orientationAnalysis() {
+    AnalysisDevice device = sensingDevice();
+    device.signals = recordedSignals;
+    device.extraSignals = {"coil.current"};
     return {"orient",
             "halbench.orientation/1",
-            "Orientation of a spherical rotor from nine recorded field readings",
-            true,
+            "Orientation of a spherical rotor from nine field readings, recorded or of a device",
+            RecordingUse::Required,
             true,
             orientationKeys(),
-            runOrientation};
+            runOrientation,
+            device};
 }
 
 } // namespace halbench::app

@@ -1,6 +1,5 @@
 #include "app/analyses/spherical/orientation_confidence.h"
 
-#include "app/actuators/spherical/sensing_board.h"
 #include "app/documents/calibration_file.h"
 #include "app/documents/text/output_file.h"
 #include "control/base/distributions.h"
@@ -71,10 +70,14 @@ Result<OrientationConfidence> OrientationConfidence::make(const AnalysisValues& 
         if (!board) {
             return failure(board.error());
         }
-        OrientationConfidence confidence(board->calibration);
-        dropSilentTerms(confidence.m_calibration.field);
-        confidence.m_deviation_T = values.numberOr("noise_uT", MicroTesla * board->deviation_T) / MicroTesla;
-        confidence.m_tolerance_T = board->tolerance_T;
+        return ofBoard(values, *board);
+    }
+    if (const std::optional<SensingBoard> board = chosenBoard(values);
+        board && values.text("harmonics").empty()) {
+        OrientationConfidence confidence = ofBoard(values, *board);
+        if (values.text("tolerance") == "none") {
+            confidence.m_tolerance_T = 0.0;
+        }
         return confidence;
     }
     models::RotorFieldConfig field;
@@ -82,12 +85,21 @@ Result<OrientationConfidence> OrientationConfidence::make(const AnalysisValues& 
     field.harmonics = models::harmonicPreset(static_cast<models::HarmonicPreset>(
         choiceIndex(std::array<std::string_view, 3>{"none", "h1", "h2"}, values.text("harmonics"))));
     OrientationConfidence confidence(models::nominalCalibration(choice.poses(), field));
-    confidence.m_deviation_T = values.numberOr("noise_uT", 100.0) / MicroTesla;
+    confidence.m_deviation_T = noiseChoice_T(values);
     if (values.text("tolerance") != "none") {
         confidence.m_remaining.emplace(confidence.m_calibration,
                                        models::assemblyRemainder(confidence.m_calibration, {}));
         confidence.m_tolerance_T = confidence.m_remaining->readingDeviation_T();
     }
+    return confidence;
+}
+
+OrientationConfidence OrientationConfidence::ofBoard(const AnalysisValues& values,
+                                                     const SensingBoard& board) {
+    OrientationConfidence confidence(board.calibration);
+    dropSilentTerms(confidence.m_calibration.field);
+    confidence.m_deviation_T = values.numberOr("noise_uT", MicroTesla * board.deviation_T) / MicroTesla;
+    confidence.m_tolerance_T = board.tolerance_T;
     return confidence;
 }
 

@@ -11,7 +11,8 @@ namespace halbench::app {
 
 /// Calibration of the sensors and the uncertainty of the orientation that its errors leave: the setting
 /// `calibration` names the result of a calibration, whose values correct the readings and whose tolerance
-/// remains; without it `tolerance` says whether the sensors are as assembled or exact.
+/// remains; so do those of the connected device; without either `tolerance` says whether the sensors are as
+/// assembled or exact.
 class OrientationConfidence {
 public:
     /// Errors: FileSystem, InvalidInput (no calibration of this device), Usage (a calibration beside a
@@ -33,6 +34,7 @@ public:
 private:
     explicit OrientationConfidence(models::SphericalCalibration calibration)
         : m_calibration(std::move(calibration)) {}
+    static OrientationConfidence ofBoard(const AnalysisValues& values, const SensingBoard& board);
 
     models::SphericalCalibration m_calibration;
     std::optional<models::RemainingError> m_remaining; ///< of the assembly

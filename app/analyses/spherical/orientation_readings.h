@@ -25,6 +25,8 @@ struct OrientationReadings {
     std::vector<std::size_t> saturated;
 };
 
+inline constexpr std::string_view UsualTruthSignals = "truth.alpha,truth.beta,truth.gamma";
+
 /// Names of the readings when none are given: "field.0.r", "field.0.theta", ... "field.2.phi".
 std::array<std::string, models::ChannelCount> defaultReadingNames();
 

@@ -84,7 +84,7 @@ Result<models::PlacementSearchConfig> configFrom(const AnalysisValues& values) {
     }
     config.latticeStep_rad = degreesToRadians(values.numberOr("step_deg", 5.0));
     config.threshold_T = values.numberOr("threshold_mT", 10.0) / 1e3;
-    config.noise_T = values.numberOr("noise_uT", 100.0) / 1e6;
+    config.noise_T = noiseChoice_T(values);
     return config;
 }
 
@@ -152,10 +152,11 @@ Analysis placementAnalysis() {
     return {"place",
             "halbench.placement/1",
             "Search for the places of field sensors, with the proof of the winner",
-            false,
+            RecordingUse::None,
             false,
             searchKeys(),
-            runPlacement};
+            runPlacement,
+            sensingDevice()};
 }
 
 } // namespace halbench::app

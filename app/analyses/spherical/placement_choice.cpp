@@ -16,6 +16,7 @@ namespace {
 
 constexpr const char* Hint =
     "use published, recommended, a file of 'halbench place --out', or nine angles in degrees";
+constexpr double StandardNoise_T = 100e-6;
 
 Result<models::SensorTriple> tripleOf(const std::array<double, 9>& angles_deg) {
     models::SensorTriple placement;
@@ -76,7 +77,51 @@ Result<models::SensorTriple> fileOf(const std::string& path) {
     return tripleOf(angles_deg);
 }
 
+Result<models::SensorTriple> namedPlacement(const std::string& text) {
+    if (text.empty() || text == "published") {
+        return models::publishedPlacement();
+    }
+    if (text == "recommended") {
+        return models::recommendedPlacement();
+    }
+    const bool isList = text.find(',') != std::string::npos && text.find('.') > text.find(',');
+    return isList || parseNumber(splitList(text)[0]) ? anglesOf(text) : fileOf(text);
+}
+
+double meanRadius_m(const SensingBoard& board) {
+    double sum_m = 0.0;
+    for (const models::SensorCalibration& sensor : board.calibration.sensors) {
+        sum_m += sensor.pose.position_m.norm();
+    }
+    return sum_m / static_cast<double>(board.calibration.sensors.size());
+}
+
 } // namespace
+
+models::CoverageModel PlacementChoice::coverageModel() const {
+    if (!mounted || device.device == models::SphericalDevice::Additive) {
+        return models::coverageModelOf(device, placement);
+    }
+    models::RotorFieldConfig field;
+    field.strength_T = device.strength_T;
+    return {field, *mounted};
+}
+
+AnalysisDevice sensingDevice() {
+    return {"name a device that measures the field of a rotor with three sensors, such as sim:spherical",
+            sensingParameters()};
+}
+
+std::optional<SensingBoard> chosenBoard(const AnalysisValues& values) {
+    const bool isOther = !values.text("placement").empty() || !values.text("frames").empty() ||
+                         values.number("radius_mm") || values.number("q_T");
+    return isOther || !values.device ? std::nullopt : std::optional(notedSensingBoard(*values.device));
+}
+
+double noiseChoice_T(const AnalysisValues& values) {
+    const double usual_T = values.device ? notedSensingBoard(*values.device).deviation_T : StandardNoise_T;
+    return values.numberOr("noise_uT", 1e6 * usual_T) / 1e6;
+}
 
 std::vector<AnalysisKey> placementKeys() {
     using enum AnalysisKeyType;
@@ -92,10 +137,17 @@ std::vector<AnalysisKey> placementKeys() {
 
 Result<models::PlacementDevice> deviceChoice(const AnalysisValues& values) {
     models::PlacementDevice device;
+    if (values.device) {
+        const SensingBoard board = notedSensingBoard(*values.device);
+        device.frames = board.frames;
+        device.radius_m = meanRadius_m(board);
+        device.strength_T = board.calibration.field.strength_T;
+    }
     device.device = static_cast<models::SphericalDevice>(
         choiceIndex(models::SphericalDeviceNames, values.text("device")));
-    device.frames =
-        static_cast<models::SensorFrames>(choiceIndex(models::SensorFrameNames, values.text("frames")));
+    if (const std::string frames = values.text("frames"); !frames.empty()) {
+        device.frames = static_cast<models::SensorFrames>(choiceIndex(models::SensorFrameNames, frames));
+    }
     device.radius_m = values.numberOr("radius_mm", 1e3 * device.radius_m) / 1e3;
     device.strength_T = values.numberOr("q_T", device.strength_T);
     if (device.strength_T <= 0.0) {
@@ -121,16 +173,17 @@ Result<PlacementChoice> placementChoice(const AnalysisValues& values) {
     }
     PlacementChoice choice{*device};
     const std::string text = values.text("placement");
-    if (text == "recommended") {
-        choice.placement = models::recommendedPlacement();
-    } else if (!text.empty() && text != "published") {
-        const bool isList = text.find(',') != std::string::npos && text.find('.') > text.find(',');
-        const Result<models::SensorTriple> placement =
-            isList || parseNumber(splitList(text)[0]) ? anglesOf(text) : fileOf(text);
-        if (!placement) {
-            return failure(placement.error());
+    const Result<models::SensorTriple> placement =
+        text.empty() && values.device ? notedSensingBoard(*values.device).placement : namedPlacement(text);
+    if (!placement) {
+        return failure(placement.error());
+    }
+    choice.placement = *placement;
+    if (const std::optional<SensingBoard> board = chosenBoard(values)) {
+        choice.mounted.emplace();
+        for (std::size_t i = 0; i < choice.mounted->size(); ++i) {
+            (*choice.mounted)[i] = board->calibration.sensors[i].pose;
         }
-        choice.placement = *placement;
     }
     if (auto checked = models::checkSensorPoses(choice.poses(), choice.device.rotorRadius_m); !checked) {
         return failure(checked.error());

@@ -41,6 +41,28 @@ struct Lowest {
     double at_deg = 0.0;
 };
 
+/// R, Theta and Phi of the three sensors, as magnitudes, over the running angle.
+AnalysisPlot plotOf(const AnalysisTable& table, const std::string& along, double threshold_T) {
+    AnalysisPlot plot;
+    plot.title = "Readings along " + along;
+    plot.x = {along, "deg"};
+    constexpr std::array Components = {"|R|", "|Theta|", "|Phi|"};
+    const std::size_t width = table.columns.size();
+    for (std::size_t c = 0; c < Components.size(); ++c) {
+        AnalysisPanel panel{{Components[c], "T"}, {}, threshold_T};
+        for (std::size_t sensor = 0; sensor < 3; ++sensor) {
+            AnalysisCurve curve{fmt::format("sensor {}", sensor), {}, {}};
+            for (std::size_t i = 0; i < table.values.size(); i += width) {
+                curve.x.push_back(radiansToDegrees(table.values[i]));
+                curve.y.push_back(std::fabs(table.values[i + 1 + 3 * sensor + c]));
+            }
+            panel.curves.push_back(curve);
+        }
+        plot.panels.push_back(panel);
+    }
+    return plot;
+}
+
 Result<AnalysisOutcome> runReadings(const AnalysisValues& values, const devices::RecordedFile*,
                                     const std::string&, const AnalysisControl&) {
     const Result<PlacementChoice> choice = placementChoice(values);
@@ -54,7 +76,7 @@ Result<AnalysisOutcome> runReadings(const AnalysisValues& values, const devices:
         return failure(ErrorCode::Usage, "from_deg lies above to_deg", "exchange them");
     }
     const std::string along = values.text("along").empty() ? "beta" : values.text("along");
-    const models::CoverageModel model = models::coverageModelOf(choice->device, choice->placement);
+    const models::CoverageModel model = choice->coverageModel();
     const double threshold_T = values.numberOr("threshold_mT", 10.0) / 1e3;
     AnalysisTable table;
     table.columns = {along + "_rad"};
@@ -105,6 +127,7 @@ Result<AnalysisOutcome> runReadings(const AnalysisValues& values, const devices:
     outcome.body.set("placement", placementJson(choice->device, choice->placement)).set("along", along);
     outcome.body.set("poses", last + 1).set("threshold_T", threshold_T);
     outcome.body.set("components", components).set("sensors", sensors);
+    outcome.plots.push_back(plotOf(table, along, threshold_T));
     outcome.table = std::move(table);
     return outcome;
 }
@@ -115,10 +138,11 @@ Analysis readingsAnalysis() {
     return {"readings",
             "halbench.readings/1",
             "Readings of three field sensors along one angle of a spherical rotor",
-            false,
+            RecordingUse::None,
             true,
             readingsKeys(),
-            runReadings};
+            runReadings,
+            sensingDevice()};
 }
 
 } // namespace halbench::app

@@ -93,9 +93,21 @@ class Schemas(unittest.TestCase):
         for options in ([], ["--truth"], ["--estimator", "closed"], ["--range-mT", "130", "--truth"], ["--stray"]):
             self.accept(self.run_json("orient", "m.csv", *options))
         self.accept(self.run_json("orient", "m.csv", "--range-mT", "1", code=1))
+        self.accept(self.run_json("orient", "sim:spherical?motion=5", "--duration", "1", "--truth", "--record", "d.csv"))
+        with open(os.path.join(self.folder.name, "spec.toml"), "w", encoding="utf-8") as file:
+            file.write('step_deg = 45\nnoise_uT = 50\n')
+        for command in ("coverage", "place"):
+            for place in ("sim:spherical", "spec.toml"):
+                result = self.run_json(command, place, "--step-deg", "45")
+                self.accept(result)
+                self.assertEqual(result["device"] is None, place == "spec.toml")
+                self.assertAlmostEqual(result["noise_T"], 50e-6 if place == "spec.toml" else 100e-6, 9)
         self.accept(self.run_json("coverage", "--step-deg", "5"))
         self.accept(self.run_json("readings", "--along", "gamma"))
+        self.accept(self.run_json("field", "--harmonics", "h2"))
+        self.accept(self.run_json("swarm", "--device", "paper", "--iterations", "20"))
         self.accept(self.run_json("estimators", "--count", "50", "--placement", "recommended"))
+        self.accept(self.run_json("estimators", "m.csv", "--count", "50"))
         for device in ("exact", "paper"):
             self.accept(self.run_json("place", "--step-deg", "45", "--device", device, "--out", "p.json"))
             self.accept(self.run_json("coverage", "--step-deg", "5", "--placement", "p.json", "--device", device))

@@ -96,8 +96,8 @@ class Composer:
         written = {"type": "array", "items": table({"name": TEXT, "value": NUMBER})}
         kinds.append(self.step("set", table({"values": written})))
         kinds.append(self.step("wait", table({"duration_s": NUMBER})))
-        analyses = {"forces": "forces", "coverage": "coverage", "differences": "differences", "estimators": "estimators",
-                    "orient": "orientation", "place": "placement", "readings": "readings"}
+        analyses = {"forces": "forces", "coverage": "coverage", "differences": "differences", "estimators": "estimators", "field": "field",
+                    "orient": "orientation", "place": "placement", "readings": "readings", "swarm": "swarm"}
         kinds += [self.result(kind, self.schema(name)) for kind, name in analyses.items()]
         return kinds
 

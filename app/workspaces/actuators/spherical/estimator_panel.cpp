@@ -1,5 +1,6 @@
 #include "app/workspaces/actuators/spherical/estimator_panel.h"
 
+#include "app/workbench/played_recording.h"
 #include "app/workspaces/actuators/spherical/board_sensors.h"
 #include "app/workspaces/parts/compact_table.h"
 #include "app/workspaces/parts/field_grid.h"
@@ -27,7 +28,7 @@ namespace halbench::app {
 
 namespace {
 
-constexpr int GridColumns = 3;
+constexpr int GridColumns = 4;
 constexpr int Tick_ms = 100;
 constexpr int Digits = 3;
 constexpr int TimeDecimals = 2;
@@ -71,11 +72,9 @@ EstimatorPanel::EstimatorPanel(Workbench& bench, StopWatch now_s, QWidget* paren
     buildTable();
     column->addWidget(m_table, 1);
     (new widgets::FloatingRows(*m_table, Qt::BottomEdge, this))->addRow(*m_message);
-    auto* note = makeNote(this);
-    note->setText(
-        tr("Errors are measured to the nearest of the four orientations with the same field. The time "
-           "is that of one thread of this computer."));
-    column->addWidget(note);
+    m_note = makeNote(this);
+    column->addWidget(m_note);
+    showNote(nullptr);
     connect(&m_bench, &Workbench::deviceChanged, this, &EstimatorPanel::onDevice);
     connect(&m_bench, &Workbench::valuesChanged, this, &EstimatorPanel::onDevice);
     connect(&m_tick, &QTimer::timeout, this, [this] {
@@ -94,11 +93,22 @@ EstimatorPanel::~EstimatorPanel() {
 
 void EstimatorPanel::buildFields(QBoxLayout& column) {
     auto* grid = new FieldGrid(GridColumns, this);
+    m_poses =
+        grid->addBox(tr("Poses"), tr("Poses on which the estimators are compared"),
+                     {tr("Random"), tr("Trajectory 1: tilt at Φ = 0°"), tr("Trajectory 2: tilt at Φ = 90°"),
+                      tr("Trajectory 3: around at Θ = 45°"), tr("Trajectory 4: spiral")});
     m_device = grid->addBox(tr("Readings from"), tr("Model that makes the readings of the sensors"),
                             {tr("Physical field"), tr("Additive model")});
-    m_count = grid->addNumber(
-        {tr("Poses"), tr("Number of random poses in the workspace"), {}, 0, 10.0, 1e6, 1000.0});
+    m_count = grid->addNumber({tr("Number of poses"),
+                               tr("Random poses in the workspace, or rows chosen evenly of a recording"),
+                               {},
+                               0,
+                               10.0,
+                               1e6,
+                               1000.0});
     m_count->setQuantity(2000.0);
+    m_spin = grid->addNumber({tr("Spin γ"), tr("Rotation about the shaft along a trajectory"),
+                              QStringLiteral("°"), 1, -180.0, 180.0, 10.0});
     m_noise = grid->addNumber({tr("Noise"), tr("Noise of each reading, rms; at first that of the board"),
                                QStringLiteral("µT"), 1, 0.0, 1e5, 10.0});
     m_failure = grid->addNumber({tr("Failure above"), tr("A pose with a larger error has failed"),
@@ -116,6 +126,7 @@ void EstimatorPanel::buildFields(QBoxLayout& column) {
         {tr("Seed"), tr("Equal seeds give equal poses and noise"), {}, 0, 0.0, 4294967295.0, 1.0});
     m_seed->setQuantity(1.0);
     connect(m_noise, &widgets::QuantityEdit::edited, this, [this] { m_isNoiseOfBoard = false; });
+    connect(m_poses, qOverload<int>(&QComboBox::currentIndexChanged), this, &EstimatorPanel::refresh);
     column.addWidget(grid);
     m_compare =
         makeButton({tr("Co&mpare estimators"), tr("Estimate all poses with each of them (Alt+M)"), {}}, this);
@@ -157,7 +168,7 @@ void EstimatorPanel::onDevice() {
     const SensingBoard board = boardSensors(m_bench);
     const QString words = isThere
                               ? sensorsInWords(board)
-                              : tr("Compares orientation estimators on random poses. Connect a device that "
+                              : tr("Compares orientation estimators on the same poses. Connect a device that "
                                    "measures the field of a rotor in space, or play a recording of one.");
     if (isThere && words != m_words->text()) {
         cancel();
@@ -169,7 +180,50 @@ void EstimatorPanel::onDevice() {
         m_noise->setQuantity(1e6 * board.deviation_T);
     }
     m_words->setText(words);
+    askRecording();
     refresh();
+}
+
+/// Of the device that is connected now, once.
+void EstimatorPanel::askRecording() {
+    const std::string uri = hasDevice() ? m_bench.session().info().uri : std::string();
+    if (uri == m_recordingUri) {
+        return;
+    }
+    m_recordingUri = uri;
+    takeRecording(nullptr);
+    if (uri.empty()) {
+        return;
+    }
+    askPlayedRecording(m_bench.session(), *this,
+                       [this, uri](std::shared_ptr<const devices::RecordedFile> file) {
+                           if (uri == m_recordingUri) {
+                               takeRecording(std::move(file));
+                           }
+                       });
+}
+
+/// The rows of a recording are a choice while it is played, and its first one.
+void EstimatorPanel::takeRecording(std::shared_ptr<const devices::RecordedFile> file) {
+    const bool isThere = file != nullptr && hasFieldReadings(file->recording);
+    m_recording = isThere ? std::move(file) : nullptr;
+    constexpr int RowsOfRecording = static_cast<int>(ComparedPosesNames.size());
+    if (!isThere && m_poses->count() > RowsOfRecording) {
+        m_poses->removeItem(RowsOfRecording);
+    }
+    if (isThere && m_poses->count() == RowsOfRecording) {
+        m_poses->addItem(tr("Rows of the recording"));
+        m_poses->setCurrentIndex(RowsOfRecording);
+    }
+    refresh();
+}
+
+bool EstimatorPanel::isOfRecording() const {
+    return m_recording != nullptr && m_poses->currentIndex() == static_cast<int>(ComparedPosesNames.size());
+}
+
+ComparedPoses EstimatorPanel::poses() const {
+    return isOfRecording() ? ComparedPoses::Workspace : static_cast<ComparedPoses>(m_poses->currentIndex());
 }
 
 EstimatorComparisonConfig EstimatorPanel::config() const {
@@ -178,24 +232,42 @@ EstimatorComparisonConfig EstimatorPanel::config() const {
     config.device = static_cast<models::SphericalDevice>(m_device->currentIndex());
     config.sensing = sensingOf(board);
     config.additive = {board.calibration.field.strength_T, board.placement};
+    config.poses = poses();
+    config.spin_rad = degreesToRadians(m_spin->value());
     config.count = static_cast<int>(std::lround(m_count->value()));
     config.passes = static_cast<int>(std::lround(m_passes->value()));
     config.noise_T = m_noise->value() / 1e6;
     config.failureLimit_rad = degreesToRadians(m_failure->value());
     config.seed = static_cast<std::uint64_t>(m_seed->value());
+    if (isOfRecording()) {
+        config.sensing.deviation_T = models::SphericalReadings::Constant(config.noise_T);
+        config.possibleLimit_ratio = rowsLimit_ratio(board, config.noise_T);
+    }
     return config;
+}
+
+/// What the thread computes.
+std::function<Result<EstimatorComparison>()> EstimatorPanel::comparison() const {
+    return [config = config(), running = m_progress, now_s = m_now_s,
+            file = isOfRecording() ? m_recording : nullptr,
+            board = boardSensors(m_bench)]() mutable -> Result<EstimatorComparison> {
+        if (file != nullptr) {
+            Result<RecordedRows> rows = recordedRows(*file, file->meta.device.uri, board, config.count);
+            if (!rows) {
+                return failure(rows.error());
+            }
+            config.rows = std::make_shared<const RecordedRows>(*std::move(rows));
+        }
+        const AnalysisControl control{[running] { return running->isCancelled.load(); },
+                                      [running](double share) { running->progress = share; }};
+        return compareEstimators(config, control, now_s);
+    };
 }
 
 void EstimatorPanel::start() {
     m_message->clear();
     m_progress = std::make_shared<Running>();
-    m_task.run(
-        [config = config(), running = m_progress, now_s = m_now_s] {
-            const AnalysisControl control{[running] { return running->isCancelled.load(); },
-                                          [running](double share) { running->progress = share; }};
-            return compareEstimators(config, control, now_s);
-        },
-        [this](const Result<EstimatorComparison>& comparison) { take(comparison); });
+    m_task.run(comparison(), [this](const Result<EstimatorComparison>& comparison) { take(comparison); });
     m_running->setProgress(0.0);
     m_tick.start(Tick_ms);
     refresh();
@@ -235,6 +307,18 @@ void EstimatorPanel::showComparison(const EstimatorComparison& comparison) {
     for (int row = 0; row < m_table->rowCount(); ++row) {
         showRow(row, comparison.estimators[static_cast<std::size_t>(row)]);
     }
+    showNote(&comparison);
+}
+
+/// What the errors are measured against.
+void EstimatorPanel::showNote(const EstimatorComparison* comparison) {
+    const QString time = tr("The time is that of one thread of this computer.");
+    const QString errors =
+        comparison == nullptr || comparison->isAgainstTruth
+            ? tr("Errors are measured to the nearest of the four orientations with the same field.")
+            : tr("The recording has no true angles (truth.alpha, truth.beta, truth.gamma): errors are "
+                 "differences from the projector with a Gauss-Newton step.");
+    m_note->setText(errors + QLatin1Char(' ') + time);
 }
 
 void EstimatorPanel::showRow(int row, const ComparedEstimator& estimator) {
@@ -268,6 +352,12 @@ void EstimatorPanel::refresh() {
     m_running->setVisible(m_progress != nullptr);
     m_compare->setVisible(m_progress == nullptr);
     m_compare->setEnabled(hasDevice());
+    const bool isMade = !isOfRecording();
+    m_device->setEnabled(isMade);
+    m_count->setEnabled(poses() == ComparedPoses::Workspace);
+    m_spin->setEnabled(poses() != ComparedPoses::Workspace);
+    m_noise->setToolTip(isMade ? tr("Noise of each reading, rms; at first that of the board")
+                               : tr("Noise that the recorded readings have; nothing is added"));
 }
 
 ActuatorPanel estimatorActuatorPanel() {

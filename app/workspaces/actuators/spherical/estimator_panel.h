@@ -24,8 +24,9 @@ class QuantityEdit;
 
 namespace halbench::app {
 
-/// Compares all orientation estimators on the same random poses, for the sensors of the connected device or
-/// of the recording that is played (resources/help/monitor.md, "Estimators"). Computes on a thread of its
+/// Compares all orientation estimators on the same poses, random, of a published trajectory or those of a
+/// recording, for the sensors of the connected device or of the recording that is played
+/// (resources/help/monitor.md, "Estimators"). Computes on a thread of its
 /// own. Thread: GUI.
 class EstimatorPanel : public QWidget {
     Q_OBJECT
@@ -43,11 +44,17 @@ private:
     void buildFields(QBoxLayout& column);
     void buildTable();
     void onDevice();
+    void askRecording();
+    void takeRecording(std::shared_ptr<const devices::RecordedFile> file);
+    ComparedPoses poses() const;
+    bool isOfRecording() const;
     EstimatorComparisonConfig config() const;
+    std::function<Result<EstimatorComparison>()> comparison() const;
     void start();
     void cancel();
     void take(const Result<EstimatorComparison>& comparison);
     void showComparison(const EstimatorComparison& comparison);
+    void showNote(const EstimatorComparison* comparison);
     void showRow(int row, const ComparedEstimator& estimator);
     void refresh();
     bool hasDevice() const;
@@ -55,7 +62,9 @@ private:
     Workbench& m_bench;
     StopWatch m_now_s;
     QLabel* m_words = nullptr;
+    QComboBox* m_poses = nullptr;
     QComboBox* m_device = nullptr;
+    widgets::QuantityEdit* m_spin = nullptr;
     widgets::QuantityEdit* m_count = nullptr;
     widgets::QuantityEdit* m_noise = nullptr;
     widgets::QuantityEdit* m_failure = nullptr;
@@ -65,6 +74,9 @@ private:
     widgets::ProgressRow* m_running = nullptr;
     widgets::MessageBar* m_message = nullptr;
     QTableWidget* m_table = nullptr;
+    QLabel* m_note = nullptr;
+    std::string m_recordingUri;                               ///< the device that was asked for its recording
+    std::shared_ptr<const devices::RecordedFile> m_recording; ///< that is played
     QTimer m_tick;
     bool m_isNoiseOfBoard = false;       ///< until the user writes another
     std::shared_ptr<Running> m_progress; ///< while it computes
