@@ -73,15 +73,22 @@ std::string intervalLines(const control::Robustness& robust, const std::string& 
     if (!robust.phaseMargin_deg) {
         return "margins: no interval is known, the model has no covariance\n";
     }
+    const bool isStable = robust.unstable_fraction < 1.0;
     std::string text =
-        fmt::format("margins of 5 % to 95 % of {} {} that the data allow\n", robust.draws, drawn);
+        isStable ? fmt::format("margins of 5 % to 95 % of {} {} that the data allow\n", robust.draws, drawn)
+                 : fmt::format("unstable with all {} {} that the data allow\n", robust.draws, drawn);
     const auto line = [&text](const char* name, const std::optional<control::Robustness::Interval>& interval,
                               const char* unit) {
         if (interval) {
             text += fmt::format("{:<26} {:.4g} to {:.4g}{}\n", name, interval->p5, interval->p95, unit);
         }
     };
-    line("gain margin", robust.gainMargin_ratio, "");
+    if (isStable || robust.gainMargin_ratio->p95 < 1.0) { // else the limit is above, and no draw has it
+        line("gain margin", robust.gainMargin_ratio, "");
+    }
+    if (!isStable) {
+        return text; // what counts as none is no margin
+    }
     line("phase margin", robust.phaseMargin_deg, " deg");
     line("delay margin", robust.delayMargin_s, " s");
     line("modulus margin", robust.modulusMargin, "");

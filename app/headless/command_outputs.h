@@ -20,8 +20,9 @@ struct CommandOutputs {
 /// Every file that would be written, with the sidecars of recordings; not the folder.
 std::vector<std::string> writtenFiles(const CommandOutputs& outputs);
 
-/// Nothing is overwritten without --force, two results never share a file, and a folder that holds something else than the results of a run
-/// takes none at all; asked before anything is measured. Error: Usage, naming the file.
+/// Nothing is overwritten without --force, two results never share a file, and a folder that holds something
+/// else than the results of a run takes none at all; asked before anything is measured. Error: Usage, naming
+/// the file.
 Result<void> checkOutputs(const CommandOutputs& outputs, bool mayOverwrite);
 
 } // namespace halbench::app

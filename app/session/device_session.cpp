@@ -348,7 +348,8 @@ void DeviceSession::reported(const ConnectionReport& report) {
         if (m_state != SessionState::Leaving) {
             setState(report.isReturning ? SessionState::Reconnecting : SessionState::Lost);
         }
-        message(MessageLevel::Error, tr("connection"), QString::fromStdString(report.lost->message));
+        message(isPlayedToTheEnd() ? MessageLevel::Info : MessageLevel::Error, tr("connection"),
+                QString::fromStdString(report.lost->message));
     }
     if (isNewlySilent) {
         message(MessageLevel::Error, tr("stop"), tr("Window not responding while armed: actuator stopped"));

@@ -61,6 +61,8 @@ public:
     void end();
 
     SessionState state() const { return m_state; }
+    /// A recording was played to its end: no link is gone, and its values can still be read.
+    bool isPlayedToTheEnd() const { return m_state == SessionState::Lost && m_info.transport == "replay"; }
     /// How often the present device came back by itself; 0 after it was connected.
     std::uint64_t returns() const { return m_returns; }
     /// How long it was away the last time.

@@ -187,7 +187,8 @@ void TopBar::refresh() {
     m_stop->setLatched(latch.isLatched(), reason);
     FocusKeeper(*this).setEnabled(*m_release, latch.isLatched() && !latch.isLocked());
     m_strip->setControlShown(latch.isLatched());
-    if (isConnected || session.state() == SessionState::Reconnecting) {
+    const bool hasSource = isConnected || session.isPlayedToTheEnd();
+    if (hasSource || session.state() == SessionState::Reconnecting) {
         showSource(*m_strip, m_bench);
     } else {
         m_strip->clearDevice();
@@ -195,9 +196,9 @@ void TopBar::refresh() {
     m_strip->setFaultLatched(isConnected && board.fault != 0);
     if (session.state() == SessionState::Reconnecting) {
         m_strip->setState(widgets::WorkState::Fault, tr("connection lost, reconnecting"));
-    } else if (session.state() == SessionState::Lost) {
+    } else if (session.state() == SessionState::Lost && !hasSource) {
         m_strip->setState(widgets::WorkState::Fault, tr("connection lost"));
-    } else if (!isConnected) {
+    } else if (!hasSource) {
         m_strip->setState(widgets::WorkState::Disconnected);
     } else if (board.fault != 0) {
         m_strip->setState(widgets::WorkState::Fault, fault);

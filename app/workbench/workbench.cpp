@@ -266,6 +266,11 @@ void Workbench::writeDifferencesBack(std::function<void(Result<void>)> then) {
     });
 }
 
+bool Workbench::hasValues() const {
+    return !m_values.empty() &&
+           (m_session.state() == SessionState::Connected || m_session.isPlayedToTheEnd());
+}
+
 void Workbench::refreshValues() {
     readValues(false);
 }

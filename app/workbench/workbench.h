@@ -113,6 +113,8 @@ public:
     /// Values on the device as last read; empty while no device is connected.
     const std::map<std::string, double>& deviceValues() const { return m_values; }
     std::optional<double> deviceValue(const std::string& parameter) const;
+    /// Whether deviceValues() are those of a device that is there, or of a recording, also after its end.
+    bool hasValues() const;
     void refreshValues();
     /// The same after a write from here that did not read back: what differs is ours.
     void confirmValues();

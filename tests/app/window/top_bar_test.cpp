@@ -184,6 +184,26 @@ TEST_F(TopBarTest, theStateSaysWhatRuns) {
     EXPECT_EQ(strip->stateText(), "Armed");
 }
 
+// Three rows: it is over before anything can be asked of it.
+TEST_F(TopBarTest, aRecordingThatWasPlayedToItsEndIsNoLostConnection) {
+    open();
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("short.csv"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("time_s,position_rad\n0,0.1\n0.001,0.2\n0.002,0.3\n");
+    file.close();
+    QStringList errors;
+    QObject::connect(&session(), &DeviceSession::message, &session(),
+                     [&](MessageLevel level, const QString&, const QString& text) {
+                         errors += level == MessageLevel::Error ? QStringList(text) : QStringList();
+                     });
+    session().connectDevice("replay:" + file.fileName(), {1.0});
+    ASSERT_TRUE(wait([&] { return session().isPlayedToTheEnd(); }));
+    EXPECT_TRUE(errors.isEmpty()) << errors.join('\n').toStdString();
+    const auto* strip = inBar<widgets::StatusStrip>();
+    EXPECT_NE(strip->state(), widgets::WorkState::Fault) << strip->stateText().toStdString();
+}
+
 TEST_F(TopBarTest, aPerspectivesButtonTakesTheFocusIntoItsMainPanel) {
     open();
     QApplication::setActiveWindow(window.get());

@@ -196,9 +196,7 @@ void CoveragePanel::buildEnd(QBoxLayout& column) {
 }
 
 bool CoveragePanel::hasDevice() const {
-    const DeviceSession& session = m_bench.session();
-    return session.state() == SessionState::Connected && !m_bench.deviceValues().empty() &&
-           isMadeFor(coverageActuatorPanel(), session.catalogue());
+    return m_bench.hasValues() && isMadeFor(coverageActuatorPanel(), m_bench.session().catalogue());
 }
 
 HeldAngle CoveragePanel::held() const {

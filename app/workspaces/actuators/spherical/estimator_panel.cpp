@@ -157,9 +157,7 @@ void EstimatorPanel::buildTable() {
 }
 
 bool EstimatorPanel::hasDevice() const {
-    const DeviceSession& session = m_bench.session();
-    return session.state() == SessionState::Connected && !m_bench.deviceValues().empty() &&
-           isMadeFor(estimatorActuatorPanel(), session.catalogue());
+    return m_bench.hasValues() && isMadeFor(estimatorActuatorPanel(), m_bench.session().catalogue());
 }
 
 /// The figures of another device are not shown beside its sensors.

@@ -182,16 +182,15 @@ TEST_F(EstimatorPanelTest, comparesAlongAPublishedTrajectory) {
     EXPECT_LT(number(4, Worst), 1e-5);
 }
 
-// The recording's notes say another place of sensor 1 than the publication.
-TEST_F(EstimatorPanelTest, takesTheSensorsOfARecordingThatIsPlayed) {
-    const QTemporaryDir folder;
+/// Of 100 rows, with notes that say another place of sensor 1 than the publication.
+QString playedRotor(const QTemporaryDir& folder, double period_s) {
     Recording recording;
     auto layout = std::make_shared<StreamLayout>();
     layout->columns = {{"field.0.r", "T"}};
-    layout->period_s = 10.0; // it is played for longer than any machine needs to read its values
+    layout->period_s = period_s;
     recording.layout = layout;
     for (int row = 0; row < 100; ++row) {
-        recording.time_s.push_back(10.0 * row);
+        recording.time_s.push_back(period_s * row);
         recording.values.push_back(0.1);
     }
     devices::RecordingMeta meta;
@@ -199,10 +198,24 @@ TEST_F(EstimatorPanelTest, takesTheSensorsOfARecordingThatIsPlayed) {
         meta.parameters.push_back({role, role == "sensor.gamma_1" ? degreesToRadians(30.0) : 0.05, "rad"});
     }
     const QString path = folder.filePath("rotor.csv");
-    ASSERT_TRUE(devices::exportRecording(path.toStdString(), recording, meta));
-    connectTo("replay:" + path, 5.0);
-    EXPECT_TRUE(wait([&] { return find<QPushButton>(*panel, "Compare estimators")->isEnabled(); }));
-    EXPECT_TRUE(find<QLabel>(*panel, "Sensors of the comparison")->text().contains("30)°"));
+    EXPECT_TRUE(devices::exportRecording(path.toStdString(), recording, meta));
+    return "replay:" + path;
+}
+
+// Hours long, a second long, and at its end before its values can be read.
+TEST_F(EstimatorPanelTest, takesTheSensorsOfARecordingHoweverSoonItEnds) {
+    const QTemporaryDir folder;
+    for (const double period_s : {100.0, 0.01, 1e-5}) {
+        session().connectDevice(playedRotor(folder, period_s), {5.0});
+        ASSERT_TRUE(wait([&] { return find<QPushButton>(*panel, "Compare estimators")->isEnabled(); }))
+            << period_s;
+        EXPECT_TRUE(find<QLabel>(*panel, "Sensors of the comparison")->text().contains("30)°"));
+        EXPECT_TRUE(period_s > 1.0 || wait([&] { return session().isPlayedToTheEnd(); })) << period_s;
+        EXPECT_TRUE(find<QPushButton>(*panel, "Compare estimators")->isEnabled()) << period_s;
+        session().disconnectDevice();
+        ASSERT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
+        EXPECT_FALSE(find<QPushButton>(*panel, "Compare estimators")->isEnabled()) << period_s;
+    }
 }
 
 TEST_F(EstimatorPanelTest, theNoiseOfTheBoardStandsUntilAnotherIsTyped) {
