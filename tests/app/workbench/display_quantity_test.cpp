@@ -22,6 +22,12 @@ TEST(DisplayQuantity, oneTurnPerSecondInEveryUnitOfSpeed) {
     }
 }
 
+TEST(DisplayQuantity, aPartOfAQuaternionIsARatioAndACodeIsAState) {
+    EXPECT_EQ(signalQuantity({"orientation.w", "", "", -1.0, 1.0}, {}).decimals, 4);
+    EXPECT_EQ(signalQuantity({"status", "", "", 0.0, 255.0}, {}).decimals, 0);
+    EXPECT_EQ(signalQuantity({"hall.a", "", "T", -1.0, 1.0}, {}).unit, "mT");
+}
+
 TEST(DisplayQuantity, aRightAngleInBothUnits) {
     EXPECT_DOUBLE_EQ(displayQuantity("rad", {}).factor * Pi / 2.0, 90.0);
     EXPECT_DOUBLE_EQ(displayQuantity("rad", {widgets::AngleUnit::Radian, {}}).factor * Pi / 2.0, Pi / 2.0);
