@@ -23,9 +23,16 @@ TEST(DisplayQuantity, oneTurnPerSecondInEveryUnitOfSpeed) {
 }
 
 TEST(DisplayQuantity, aPartOfAQuaternionIsARatioAndACodeIsAState) {
-    EXPECT_EQ(signalQuantity({"orientation.w", "", "", -1.0, 1.0}, {}).decimals, 4);
-    EXPECT_EQ(signalQuantity({"status", "", "", 0.0, 255.0}, {}).decimals, 0);
-    EXPECT_EQ(signalQuantity({"hall.a", "", "T", -1.0, 1.0}, {}).unit, "mT");
+    const auto shown = [](const char* unit, double min, double max) {
+        SignalSpec spec;
+        spec.unit = unit;
+        spec.min = min;
+        spec.max = max;
+        return signalQuantity(spec, {});
+    };
+    EXPECT_EQ(shown("", -1.0, 1.0).decimals, 4);
+    EXPECT_EQ(shown("", 0.0, 255.0).decimals, 0);
+    EXPECT_EQ(shown("T", -1.0, 1.0).unit, "mT");
 }
 
 TEST(DisplayQuantity, aRightAngleInBothUnits) {
