@@ -19865,8 +19865,8 @@ Hall B
         <translation>q %1 mT, Chi-Quadrat %2, 95-%-Kegel ±%3°</translation>
     </message>
     <message>
-        <source>simulated truth: α %1°, β %2°, γ %3°</source>
-        <translation>simulierte Wahrheit: α %1°, β %2°, γ %3°</translation>
+        <source>simulated truth: α %1°, β %2°, γ %3°; error %4°</source>
+        <translation>simulierte Wahrheit: α %1°, β %2°, γ %3°; Fehler %4°</translation>
     </message>
 </context>
 <context>

@@ -19850,8 +19850,8 @@ Hall B
         <translation>q %1 mT，卡方 %2，95 % 锥 ±%3°</translation>
     </message>
     <message>
-        <source>simulated truth: α %1°, β %2°, γ %3°</source>
-        <translation>仿真真值：α %1°，β %2°，γ %3°</translation>
+        <source>simulated truth: α %1°, β %2°, γ %3°; error %4°</source>
+        <translation>仿真真值：α %1°，β %2°，γ %3°；误差 %4°</translation>
     </message>
 </context>
 <context>

@@ -186,6 +186,11 @@ DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& u
     return {quantity, QString::fromStdString(unitText(symbol)), 1.0, 4, 999.0};
 }
 
+DisplayQuantity signalQuantity(const SignalSpec& spec, const DisplayUnits& units) {
+    const bool isRatio = spec.unit.empty() && spec.choices.empty() && spec.min == -1.0 && spec.max == 1.0;
+    return displayQuantity(isRatio ? "1" : spec.unit, units);
+}
+
 double shownStep(const DisplayQuantity& shown, double step) {
     return std::pow(10.0, std::round(std::log10(step * shown.factor)));
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "control/base/parameter_spec.h"
 #include "widgets/language/display_units.h"
 
 #include <QString>
@@ -34,6 +35,10 @@ struct DisplayQuantity {
 /// user prefers, mT, A, °C. A unit that is not in it is shown as it is; 1 is
 /// that of a ratio.
 DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& units);
+
+/// The same of a signal: one without a unit that also goes below zero and stays within ±1, e.g. a part of a
+/// quaternion, is a ratio and no state.
+DisplayQuantity signalQuantity(const SignalSpec& spec, const DisplayUnits& units);
 
 /// A power of ten near this step in SI, for a field that shows the quantity.
 double shownStep(const DisplayQuantity& shown, double step);

@@ -40,7 +40,7 @@ MAY_INCLUDE = {
     "widgets/figure": "control/base; widgets/theme, language, raster",
     "widgets/live_plot": "control/history; widgets/theme, language, raster, controls",
     "widgets/spectrogram": "control/base; widgets/theme, language, figure, live_plot",
-    "widgets/actuators": "control/base; models/fields, planar; widgets/theme, language",
+    "widgets/actuators": "control/base; models/fields, planar, spherical; widgets/theme, language",
     "app/procedures": "control/base, lti, analysis, law, assess, robustness, design, signals, history, identify; models/htm, thermal; "
                       "devices; devices/recording, acquisition",
     "app/actuators": "control/base, identify, design; models/fields, sensors, drives, estimators, htm, planar, spherical; devices; devices/simulated; app/procedures",

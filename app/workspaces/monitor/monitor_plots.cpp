@@ -132,7 +132,7 @@ TemperatureBands temperatureBands(const devices::Catalogue& catalogue, std::opti
 }
 
 widgets::PlotCurve curveFor(const SignalSpec& spec, const DisplayUnits& units) {
-    const DisplayQuantity shown = displayQuantity(spec.unit, units);
+    const DisplayQuantity shown = signalQuantity(spec, units);
     widgets::PlotCurve curve{spec.name, signalWords(spec.name), shown.unit, shown.factor, shown.decimals};
     curve.unitChoices = unitChoices(spec.unit, units);
     curve.isSensor = isSensor(spec);
@@ -140,7 +140,7 @@ widgets::PlotCurve curveFor(const SignalSpec& spec, const DisplayUnits& units) {
 }
 
 widgets::PlotSpec plotFor(const SignalSpec& spec, const TemperatureBands& bands, const DisplayUnits& units) {
-    const DisplayQuantity shown = displayQuantity(spec.unit, units);
+    const DisplayQuantity shown = signalQuantity(spec, units);
     widgets::PlotSpec plot;
     plot.quantity = shown.quantity.isEmpty() ? signalWords(spec.name) : shown.quantity;
     plot.unit = shown.unit;

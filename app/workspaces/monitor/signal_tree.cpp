@@ -88,7 +88,7 @@ void SignalTree::setSignals(const std::vector<SignalSpec>& specs, const DisplayU
     m_entries.clear();
     const QFont digits = widgets::tabularFont(font());
     for (const SignalSpec& spec : specs) {
-        const DisplayQuantity shown = displayQuantity(spec.unit, units);
+        const DisplayQuantity shown = signalQuantity(spec, units);
         QString title = shown.quantity.isEmpty() ? tr("other") : shown.quantity;
         title[0] = title[0].toUpper();
         auto* item = new QTreeWidgetItem(groupFor(title));

@@ -142,7 +142,7 @@ void TriggerBar::watch(Field field, widgets::QuantityEdit* box) {
 
 DisplayQuantity TriggerBar::shown() const {
     const SignalSpec* spec = m_catalogue.findSignal(m_choice.source);
-    return spec != nullptr ? displayQuantity(spec->unit, m_units) : DisplayQuantity{};
+    return spec != nullptr ? signalQuantity(*spec, m_units) : DisplayQuantity{};
 }
 
 void TriggerBar::setCatalogue(const devices::Catalogue& catalogue, const DisplayUnits& units,

@@ -22,6 +22,19 @@ TEST(DisplayQuantity, oneTurnPerSecondInEveryUnitOfSpeed) {
     }
 }
 
+TEST(DisplayQuantity, aPartOfAQuaternionIsARatioAndACodeIsAState) {
+    const auto shown = [](const char* unit, double min, double max) {
+        SignalSpec spec;
+        spec.unit = unit;
+        spec.min = min;
+        spec.max = max;
+        return signalQuantity(spec, {});
+    };
+    EXPECT_EQ(shown("", -1.0, 1.0).decimals, 4);
+    EXPECT_EQ(shown("", 0.0, 255.0).decimals, 0);
+    EXPECT_EQ(shown("T", -1.0, 1.0).unit, "mT");
+}
+
 TEST(DisplayQuantity, aRightAngleInBothUnits) {
     EXPECT_DOUBLE_EQ(displayQuantity("rad", {}).factor * Pi / 2.0, 90.0);
     EXPECT_DOUBLE_EQ(displayQuantity("rad", {widgets::AngleUnit::Radian, {}}).factor * Pi / 2.0, Pi / 2.0);

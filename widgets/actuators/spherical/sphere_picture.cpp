@@ -1,6 +1,7 @@
 #include "widgets/actuators/spherical/sphere_picture.h"
 
 #include "control/base/units.h"
+#include "models/spherical/orientation.h"
 #include "widgets/actuators/spherical/sphere_view.h"
 #include "widgets/language/display_units.h"
 
@@ -22,11 +23,29 @@ std::string fieldRole(std::size_t channel) {
     return "field." + std::to_string(channel / 3) + "." + SensorAxes[channel % 3];
 }
 
-Eigen::Matrix3d rotationOf(double alpha_rad, double beta_rad, double gamma_rad) {
-    return (Eigen::AngleAxisd(alpha_rad, Eigen::Vector3d::UnitX()) *
-            Eigen::AngleAxisd(beta_rad, Eigen::Vector3d::UnitY()) *
-            Eigen::AngleAxisd(gamma_rad, Eigen::Vector3d::UnitZ()))
-        .toRotationMatrix();
+QString degreesText(double angle_rad) {
+    return fixedText(radiansToDegrees(angle_rad), 2);
+}
+
+/// In the frame of the stator; nothing while the device does not say it.
+std::optional<Eigen::Matrix3d> estimateOf(const ActuatorValues& values) {
+    const std::optional<double> real = values.signal("orientation.w");
+    if (!real) {
+        return std::nullopt;
+    }
+    const auto part = [&](const char* role) { return values.signal(role).value_or(0.0); };
+    const Eigen::Quaterniond quaternion(*real, part("orientation.x"), part("orientation.y"),
+                                        part("orientation.z"));
+    return quaternion.normalized().toRotationMatrix();
+}
+
+std::optional<Eigen::Matrix3d> truthOf(const ActuatorValues& values) {
+    const std::optional<double> alpha_rad = values.signal("truth.alpha");
+    if (!alpha_rad) {
+        return std::nullopt;
+    }
+    return models::rotationOf(
+        {*alpha_rad, values.signal("truth.beta").value_or(0.0), values.signal("truth.gamma").value_or(0.0)});
 }
 
 } // namespace
@@ -64,15 +83,13 @@ void SpherePicture::showSettings(const ActuatorValues& values) {
 
 void SpherePicture::showSamples(const ActuatorValues& values) {
     const auto value = [&](const std::string& role) { return values.signal(role).value_or(0.0); };
-    const std::optional<double> real = values.signal("orientation.w");
-    if (!real) {
+    const std::optional<Eigen::Matrix3d> rotation = estimateOf(values);
+    if (!rotation) {
         return;
     }
-    const Eigen::Quaterniond quaternion(*real, value("orientation.x"), value("orientation.y"),
-                                        value("orientation.z"));
     const bool isHeld = values.signal("orientation.fresh").value_or(1.0) < 0.5;
     const bool isDoubtful = (static_cast<int>(value("integrity")) & ResidualFlag) != 0;
-    m_view->setOrientation(quaternion.normalized().toRotationMatrix(), value("shaft.cone95"),
+    m_view->setOrientation(*rotation, value("shaft.cone95"),
                            isHeld       ? SphereVerdict::Held
                            : isDoubtful ? SphereVerdict::Doubtful
                                         : SphereVerdict::Fresh);
@@ -81,10 +98,10 @@ void SpherePicture::showSamples(const ActuatorValues& values) {
         readings_T[channel] = value(fieldRole(channel));
     }
     m_view->setReadings(readings_T);
-    describe(values);
+    describe(values, *rotation);
 }
 
-void SpherePicture::describe(const ActuatorValues& values) {
+void SpherePicture::describe(const ActuatorValues& values, const Eigen::Matrix3d& rotation) {
     const auto degrees = [&](const char* role) {
         const std::optional<double> angle = values.signal(role);
         return fixedText(angle ? std::optional(radiansToDegrees(*angle)) : std::nullopt, 2);
@@ -96,15 +113,22 @@ void SpherePicture::describe(const ActuatorValues& values) {
         QLatin1Char('\n') + tr("q %1 mT, chi-square %2, 95 % cone ±%3°")
                                 .arg(fixedText(1e3 * values.signal("strength").value_or(0.0), 2),
                                      fixedText(values.signal("chi_square"), 1), degrees("shaft.cone95"));
-    if (const std::optional<double> alpha = values.signal("truth.alpha")) {
-        m_view->setTruth(rotationOf(*alpha, values.signal("truth.beta").value_or(0.0),
-                                    values.signal("truth.gamma").value_or(0.0)));
-        m_numbers += QLatin1Char('\n') +
-                     tr("simulated truth: α %1°, β %2°, γ %3°")
-                         .arg(degrees("truth.alpha"), degrees("truth.beta"), degrees("truth.gamma"));
-    } else {
+    showTruth(truthOf(values), rotation);
+}
+
+/// As the one of the four orientations with the same field that lies nearest to the estimate.
+void SpherePicture::showTruth(const std::optional<Eigen::Matrix3d>& truth, const Eigen::Matrix3d& rotation) {
+    if (!truth) {
         m_view->setTruth({});
+        return;
     }
+    const Eigen::Matrix3d nearest = models::nearestImage(*truth, rotation);
+    const models::OrientationAngles angles = models::anglesOf(nearest);
+    m_view->setTruth(nearest);
+    m_numbers += QLatin1Char('\n') + tr("simulated truth: α %1°, β %2°, γ %3°; error %4°")
+                                         .arg(degreesText(angles.alpha_rad), degreesText(angles.beta_rad),
+                                              degreesText(angles.gamma_rad),
+                                              degreesText(models::symmetricError_rad(rotation, *truth)));
 }
 
 void SpherePicture::setStale(bool isStale) {

@@ -2,6 +2,9 @@
 
 #include "widgets/actuators/actuator_view.h"
 
+#include <Eigen/Core>
+#include <optional>
+
 namespace halbench::widgets {
 
 class SphereView;
@@ -21,7 +24,8 @@ public:
     Drawing drawing() const override;
 
 private:
-    void describe(const ActuatorValues& values);
+    void describe(const ActuatorValues& values, const Eigen::Matrix3d& rotation);
+    void showTruth(const std::optional<Eigen::Matrix3d>& truth, const Eigen::Matrix3d& rotation);
 
     SphereView* m_view;
     QString m_numbers;

@@ -21,6 +21,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -30,7 +31,7 @@ namespace {
 
 constexpr int GridColumns = 4;
 constexpr int Tick_ms = 100;
-constexpr int Digits = 3;
+constexpr double Digits = 3.0;
 constexpr int TimeDecimals = 2;
 enum Column { Name, Rms, Worst, Shaft, Failures, Time, Columns };
 
@@ -53,6 +54,13 @@ QString estimatorWords(models::EstimatorKind kind) {
         return EstimatorPanel::tr("Particle swarm, additive model");
     }
     return {};
+}
+
+/// Three significant digits, zeros at the end too: a column of them is read at a glance.
+QString significantText(double value) {
+    const double magnitude = value > 0.0 ? std::floor(std::log10(value)) : 0.0;
+    const int decimals = static_cast<int>(std::clamp(Digits - 1.0 - magnitude, 0.0, 12.0));
+    return widgets::fixedText(value, decimals);
 }
 
 double steadyTime_s() {
@@ -322,7 +330,7 @@ void EstimatorPanel::showNote(const EstimatorComparison* comparison) {
 void EstimatorPanel::showRow(int row, const ComparedEstimator& estimator) {
     const QString none = QStringLiteral("–");
     const auto degrees = [&](double angle_rad) {
-        return estimator.estimated > 0 ? widgets::numberText(radiansToDegrees(angle_rad), Digits) : none;
+        return estimator.estimated > 0 ? significantText(radiansToDegrees(angle_rad)) : none;
     };
     const models::EstimatorErrors errors = estimator.errors.value_or(models::EstimatorErrors{});
     const QString failures = estimator.errors

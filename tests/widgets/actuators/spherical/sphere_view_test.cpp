@@ -1,5 +1,6 @@
 #include "control/base/units.h"
 #include "tests/widgets/gui_fixture.h"
+#include "widgets/actuators/spherical/sphere_picture.h"
 #include "widgets/actuators/spherical/sphere_view.h"
 #include "widgets/theme/theme_style.h"
 
@@ -9,6 +10,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <map>
 
 namespace halbench::widgets {
 namespace {
@@ -103,6 +105,21 @@ TEST_F(SphereViewTest, whatIsNotCertainIsSaid) {
     EXPECT_TRUE(view.accessibleDescription().contains("old values"));
     view.clear();
     EXPECT_TRUE(view.accessibleDescription().contains("unknown"));
+}
+
+// The truth is half a turn about the shaft away, which has the same field, and a degree about X.
+TEST_F(SphereViewTest, theTruthIsTheNearestOrientationWithTheSameField) {
+    SpherePicture picture;
+    const std::map<std::string, double> signals = {
+        {"orientation.w", 1.0},      {"orientation.x", 0.0}, {"orientation.y", 0.0}, {"orientation.z", 0.0},
+        {"truth.alpha", Pi / 180.0}, {"truth.beta", 0.0},    {"truth.gamma", -Pi}};
+    const auto found = [&signals](const std::string& role) {
+        const auto at = signals.find(role);
+        return at == signals.end() ? std::nullopt : std::optional(at->second);
+    };
+    picture.showSamples({found, found});
+    EXPECT_TRUE(picture.numbers().contains("simulated truth: α 1.00°, β 0.00°, γ 0.00°; error 1.00°"))
+        << picture.numbers().toStdString();
 }
 
 TEST_F(SphereViewTest, keysTurnThePictureAndHomeTurnsItBack) {
