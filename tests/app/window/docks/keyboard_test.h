@@ -6,9 +6,11 @@
 #include "widgets/controls/stop_button.h"
 
 #include <QAbstractButton>
+#include <QLabel>
 #include <QListWidget>
 
 #include <algorithm>
+#include <string>
 
 namespace halbench::app {
 
@@ -39,6 +41,17 @@ protected:
             << text.toStdString() << ", not " << focusedText().toStdString();
     }
 
+    /// What the window says: the reason of a wait that was in vain.
+    std::string shownTexts() const {
+        std::string texts;
+        for (const QLabel* label : window->findChildren<QLabel*>()) {
+            if (label->isVisible() && !label->text().isEmpty()) {
+                texts += "\n" + label->text().toStdString();
+            }
+        }
+        return texts;
+    }
+
     /// Whether there is such a button to press.
     bool canPress(const QString& text) {
         const auto buttons = window->findChildren<QAbstractButton*>();
@@ -48,7 +61,7 @@ protected:
         });
     }
     void pressButton(const QString& text) {
-        ASSERT_TRUE(wait([&] { return canPress(text); })) << text.toStdString();
+        ASSERT_TRUE(wait([&] { return canPress(text); })) << text.toStdString() << shownTexts();
         tabTo(text);
         press(Qt::Key_Space);
     }

@@ -30,7 +30,7 @@ TEST_F(KeyboardTourTest, platenIsIdentifiedTunedMovedAndStopped) {
     connectByKeys("sim:planar");
     goTo(Perspective::Identify, Qt::Key_2);
     pressButton("Start identification");
-    ASSERT_TRUE(wait([&] { return focusedText() == "Tune with this model"; }));
+    ASSERT_TRUE(wait([&] { return focusedText() == "Tune with this model"; })) << shownTexts();
     press(Qt::Key_Space);
     ASSERT_TRUE(wait([&] { return window->docks().perspective() == Perspective::Tune; }));
     pressButton("Apply and verify");
