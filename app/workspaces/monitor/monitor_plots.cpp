@@ -12,6 +12,7 @@ namespace halbench::app {
 namespace {
 
 constexpr std::size_t FirstSignals = 8;
+constexpr std::size_t MostMore = 4; ///< that complete a group, as the four parts of a quaternion
 
 /// Of a fresh start; more would be too low to be read on a small screen.
 constexpr std::size_t FirstPlots = 3;
@@ -63,11 +64,17 @@ std::optional<double> constant(const devices::Catalogue& catalogue, const char* 
 std::vector<widgets::PlotSpec> firstSignals(const devices::Catalogue& catalogue,
                                             const TemperatureBands& bands, const DisplayUnits& units) {
     std::vector<widgets::PlotSpec> plots;
-    for (std::size_t i = 0; i < std::min(FirstSignals, catalogue.signals.size()); ++i) {
+    const std::size_t most = std::min(FirstSignals + MostMore, catalogue.signals.size());
+    const auto areAlike = [](const widgets::PlotSpec& one, const widgets::PlotSpec& other) {
+        return one.unit == other.unit && one.quantity == other.quantity;
+    };
+    for (std::size_t i = 0; i < most; ++i) {
         const widgets::PlotSpec wanted = plotFor(catalogue.signals[i], bands, units);
-        const auto same = std::find_if(plots.begin(), plots.end(), [&](const widgets::PlotSpec& plot) {
-            return plot.unit == wanted.unit && plot.quantity == wanted.quantity;
-        });
+        if (i >= FirstSignals && !areAlike(wanted, plotFor(catalogue.signals[i - 1], bands, units))) {
+            break;
+        }
+        const auto same = std::find_if(plots.begin(), plots.end(),
+                                       [&](const widgets::PlotSpec& plot) { return areAlike(plot, wanted); });
         if (same == plots.end()) {
             plots.push_back(wanted);
         } else {
