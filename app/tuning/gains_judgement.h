@@ -19,7 +19,7 @@ struct JudgedWith {
 Result<TuneResult> judgeGains(const GainsFile& gains, const MotorEstimate& estimate,
                               const LoopConditions& conditions, const JudgedWith& with);
 
-/// Of gains that were found for another device than this one; a file that names none is not compared.
+/// Finding about gains of another device than this one; a file that names none is not compared.
 std::optional<Finding> foreignGains(const GainsFile& gains, const devices::DeviceInfo& device);
 
 /// A loop that samples or waits otherwise than the one that was designed for.

@@ -13,7 +13,7 @@ enum class SpeedUnit { TurnsPerMinute, DegreesPerSecond, RadiansPerSecond };
 
 enum class FrequencyUnit { Hertz, RadiansPerSecond };
 
-/// What the user prefers to read; fields of the same unit follow.
+/// Units that the user prefers to read; fields of the same unit follow.
 struct DisplayUnits {
     widgets::AngleUnit angle = widgets::AngleUnit::Degree;
     SpeedUnit speed = SpeedUnit::TurnsPerMinute;

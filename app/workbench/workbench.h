@@ -33,7 +33,7 @@ class DriveControl;
 class RecordingTrigger;
 class ShownRecording;
 
-/// Where a result came into the window from.
+/// Source of a result: a run of this window, a file or the project.
 enum class ResultOrigin { Measured, File, Project };
 
 /// What is said beside a result: device, firmware, time, software version; and where it came from.

@@ -273,7 +273,7 @@ TEST_F(TopBarTest, twoClicksInOnePlaceReleaseAndDoNotArm) {
         ASSERT_TRUE(wait([&] { return isArmed() && arm->isEnabled(); }));
         key(Qt::Key_Escape, Qt::NoModifier);
         ASSERT_TRUE(wait([&] { return window->bench().drive().canRelease(); }));
-        QTest::qWait(0); // laid out
+        settle(); // laid out
         QPushButton* release = nullptr;
         for (auto* one : window->findChild<TopBar*>()->findChildren<QPushButton*>()) {
             release = one->text() == "Release" ? one : release;
@@ -284,7 +284,7 @@ TEST_F(TopBarTest, twoClicksInOnePlaceReleaseAndDoNotArm) {
                                release->rect().bottomRight()};
         QTest::mouseClick(release, Qt::LeftButton);
         ASSERT_TRUE(wait([&] { return !window->bench().drive().isStopped(); }));
-        QTest::qWait(0);
+        settle();
         EXPECT_EQ(arm->geometry(), was) << width_px;
         for (const QPoint& end : ends) {
             const QWidget* under = window->childAt(release->mapTo(window.get(), end));

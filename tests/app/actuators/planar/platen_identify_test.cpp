@@ -2,8 +2,8 @@
 #include "app/actuators/planar/platen_identify.h"
 #include "app/actuators/planar/platen_procedures.h"
 #include "app/procedures/base/axis_choice.h"
-#include "app/procedures/move/move_procedure.h"
 #include "tests/app/actuators/planar/simulated_platen.h"
+#include "tests/app/procedures/turned_platen.h"
 
 #include <cmath>
 
@@ -132,11 +132,7 @@ TEST(PlatenIdentify, aPlatenThatLeansOnItsStopIsTurnedStraightFirst) {
     for (const double angle_rad : {0.023, -0.023}) { // beyond the stop
         const auto device = openPlaten("");
         ASSERT_NE(device, nullptr);
-        MoveConfig there;
-        there.axis = "phi";
-        there.reference.shape = MoveReference::Shape::Step;
-        there.reference.amplitude = angle_rad;
-        ASSERT_TRUE(performMove(*device, there, {}));
+        turnPlaten(*device, angle_rad);
         const AxesIdentifyResult result = identified(*device, givenMass(0.64));
         EXPECT_NE(result.quality.verdict, Verdict::Refused) << angle_rad;
         const control::Estimate* inertia = estimateIn(result.constants, "inertia");

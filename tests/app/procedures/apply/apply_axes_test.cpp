@@ -4,6 +4,7 @@
 #include "app/procedures/tune/loop_axis.h"
 #include "app/procedures/tune/position_law_parameters.h"
 #include "tests/app/procedures/simulated_motor.h"
+#include "tests/app/procedures/turned_platen.h"
 
 #include <algorithm>
 #include <cmath>
@@ -199,11 +200,7 @@ TEST(ApplyAxes, aPlatenAtItsEndStopStepsBack) {
     for (const double angle_rad : {0.0195, -0.0195}) {
         const auto device = openPlaten("imperfections=off");
         ASSERT_NE(device, nullptr);
-        MoveConfig there;
-        there.axis = "phi";
-        there.reference.shape = MoveReference::Shape::Step;
-        there.reference.amplitude = angle_rad;
-        ASSERT_TRUE(performMove(*device, there, {}));
+        turnPlaten(*device, angle_rad);
         const auto result = runApplyAxes(*device, recommended(*device, platen()), {});
         ASSERT_TRUE(result) << result.error().message;
         EXPECT_TRUE(result->isKept) << angle_rad;
@@ -219,11 +216,7 @@ TEST(ApplyAxes, aPlatenThatIsPressedAgainstItsStopKeepsHealthyGains) {
     for (int seed = 1; seed <= 8; ++seed) {
         const auto device = openPlaten("seed=" + std::to_string(seed));
         ASSERT_NE(device, nullptr);
-        MoveConfig there;
-        there.axis = "phi";
-        there.reference.shape = MoveReference::Shape::Step;
-        there.reference.amplitude = seed % 2 == 0 ? 0.022 : -0.022; // beyond the stop
-        ASSERT_TRUE(performMove(*device, there, {}));
+        turnPlaten(*device, seed % 2 == 0 ? 0.022 : -0.022); // beyond the stop
         const auto result = runApplyAxes(*device, recommended(*device, platen()), {});
         ASSERT_TRUE(result) << result.error().message;
         for (const Finding& finding : result->quality.findings) {

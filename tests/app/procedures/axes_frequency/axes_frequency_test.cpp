@@ -1,8 +1,8 @@
 #include "app/procedures/frequency/axes_frequency.h"
 #include "app/procedures/frequency/axes_frequency_plan.h"
-#include "app/procedures/move/move_procedure.h"
 #include "devices/open/open_device.h"
 #include "tests/app/procedures/axes_frequency/platen_truth.h"
+#include "tests/app/procedures/turned_platen.h"
 #include "tests/devices/simulated/planar/positioner.h"
 
 #include <gtest/gtest.h>
@@ -241,11 +241,7 @@ const std::vector<std::string> Kept = {"reference.x.target",
 TEST(AxesFrequencyEnds, aPlatenThatStandsAtItsStopIsMeasuredBesideIt) {
     for (const double place_rad : {0.019, -0.023}) {
         const auto device = open(Machine);
-        MoveConfig there;
-        there.axis = "phi";
-        there.reference.shape = MoveReference::Shape::Step;
-        there.reference.amplitude = place_rad;
-        ASSERT_TRUE(performMove(*device, there, {}));
+        turnPlaten(*device, place_rad);
         AxesFrequencyConfig config;
         config.axis = "phi";
         const AxesFrequencyResult result = measured(*device, config);
