@@ -155,7 +155,7 @@ private:
         const std::vector<devices::AxisSpec>& axes = m_device.catalogue().axes;
         if (axes.size() > 1) { // a step of each, with as much as the board lets flow
             for (const devices::AxisSpec& axis : axes) {
-                const double most = axis.turnsForever ? 1.0 : 2.0; // one before, from near the end of travel
+                const double most = axis.turnsForever ? 1.0 : 2.0; // as long to leave the end of its travel
                 plan.duration_s += most * (axis.settle_s + ApplyVerification().duration_s);
             }
             plan.peakCurrent_A = m_law.limit_A;

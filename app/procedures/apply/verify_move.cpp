@@ -3,6 +3,7 @@
 #include "app/procedures/apply/prediction_monitor.h"
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/procedure_steps.h"
+#include "app/procedures/move/leave_end.h"
 #include "app/procedures/move/move_preparation.h"
 #include "app/procedures/tune/position_law_parameters.h"
 
@@ -321,23 +322,18 @@ std::optional<ApplyVerification> withSeenNoise(const ApplyVerification& verifica
     return wider;
 }
 
-/// A verification move, and whether one like it must come before.
-struct PlacedVerification {
-    ApplyVerification verification;
-    bool isFarOut = false;
-};
-
-/// An axis with an end may stand at it, since a platen without current glides: its step leads back to the
-/// middle of its travel, where its zero is. Pressed against the end its loop would wind up while it is held,
-/// and the step be another than predicted: farther out than two steps it makes one before.
-Result<PlacedVerification> towardsMiddle(devices::Device& device, ApplyVerification verification,
-                                         const ProcedureObserver& observer) {
-    constexpr double NearSteps = 2.0; // within them an axis has the room that its verification takes
+/// An axis with an end may stand at it, since a platen without current glides: it leaves the end, against
+/// which its loop would wind up, and steps on towards the middle of its travel, where its zero is.
+Result<ApplyVerification> towardsMiddle(devices::Device& device, ApplyVerification verification,
+                                        const ProcedureObserver& observer) {
     if (!verification.axis || verification.axis->turnsForever || verification.band) {
-        return PlacedVerification{verification};
+        return verification;
     }
     if (auto known = awaitZero(device, observer); !known) {
         return failure(known.error());
+    }
+    if (auto left = leaveEnd(device, *verification.axis, observer); !left) {
+        return failure(left.error());
     }
     const std::string names[] = {signalOf(device.catalogue(), verification.axis->roles.position)};
     const auto position = device.readSignals(names);
@@ -346,21 +342,7 @@ Result<PlacedVerification> towardsMiddle(devices::Device& device, ApplyVerificat
     }
     const double distance = std::fabs(verification.reference.amplitude);
     verification.reference.amplitude = position->front() > 0.0 ? -distance : distance;
-    return PlacedVerification{verification, std::fabs(position->front()) > NearSteps * distance};
-}
-
-/// The move that is judged, after one like it where the axis may stand at its end.
-Result<MoveResult> moveForVerification(devices::Device& device, const PlacedVerification& placed,
-                                       const ProcedureObserver& observer) {
-    ProcedureObserver quiet = observer;
-    quiet.onState = nullptr; // all of the move is one state here
-    const MoveConfig config = moveOf(placed.verification);
-    if (placed.isFarOut) {
-        if (auto nearer = performMove(device, config, quiet); !nearer) {
-            return nearer;
-        }
-    }
-    return performMove(device, config, quiet);
+    return verification;
 }
 
 } // namespace
@@ -382,7 +364,7 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& wanted
     if (!placed) {
         return failure(placed.error());
     }
-    const ApplyVerification& verification = placed->verification;
+    const ApplyVerification& verification = *placed;
     const auto plant = plantFromEstimate(verification.motor);
     if (!plant) {
         return failure(plant.error());
@@ -404,7 +386,9 @@ Result<void> verifyMove(devices::Device& device, const ApplyVerification& wanted
     if (!band) {
         return failure(band.error());
     }
-    const auto seen = moveForVerification(device, *placed, observer);
+    ProcedureObserver quiet = observer;
+    quiet.onState = nullptr; // all of the move is one state here
+    const auto seen = performMove(device, moveOf(verification), quiet);
     if (!seen) {
         return failure(seen.error());
     }
