@@ -3,7 +3,7 @@
 #include "app/documents/model_file.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/json_value.h"
-#include "app/workspaces/tune/loop_view.h"
+#include "app/workspaces/tune/loop/loop_view.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "tests/app/workspaces/published_motor.h"
 #include "tests/bench/goal.h"

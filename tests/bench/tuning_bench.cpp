@@ -1,7 +1,7 @@
 // What the Tune panel does between two places of the hand: gains, predictions, a thousand motors, pictures.
 #include "app/figures/tuning_figures.h"
 #include "app/procedures/tune/large_step.h"
-#include "app/workspaces/tune/loop_view.h"
+#include "app/workspaces/tune/loop/loop_view.h"
 #include "app/workspaces/tune/tune_question.h"
 #include "control/base/units.h"
 #include "control/design/crossover_design.h"

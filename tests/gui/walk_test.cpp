@@ -7,7 +7,7 @@
 #include "app/workbench/recording_control.h"
 #include "app/workspaces/parts/page_chooser.h"
 #include "app/workspaces/recordings/import_view.h"
-#include "app/workspaces/tune/filter_editor.h"
+#include "app/workspaces/tune/loop/filter_editor.h"
 #include "tests/app/window/window_test.h"
 #include "tests/gui/inspection.h"
 #include "widgets/controls/stop_button.h"

@@ -1,7 +1,7 @@
 #include "app/workspaces/tune/design_table.h"
 
 #include "app/figures/parameter_units.h"
-#include "app/workspaces/tune/design_names.h"
+#include "app/workspaces/tune/loop/design_names.h"
 #include "control/base/units.h"
 #include "widgets/controls/copy_menu.h"
 #include "widgets/language/whole_numbers.h"

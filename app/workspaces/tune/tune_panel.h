@@ -9,7 +9,7 @@
 #include "app/workbench/file_queue.h"
 #include "app/workbench/latest_task.h"
 #include "app/workbench/workbench.h"
-#include "app/workspaces/tune/gain_history.h"
+#include "app/workspaces/tune/loop/gain_history.h"
 #include "app/workspaces/tune/saved_designs.h"
 #include "app/workspaces/tune/tune_question.h"
 #include "control/design/crossover_design.h"

@@ -3,7 +3,7 @@
 #include "app/figures/disturbance_figure.h"
 #include "app/figures/tuning_figures.h"
 #include "app/workspaces/tune/design_table.h"
-#include "app/workspaces/tune/loop_view.h"
+#include "app/workspaces/tune/loop/loop_view.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "control/base/assert.h"
 #include "widgets/figure/figure_view.h"

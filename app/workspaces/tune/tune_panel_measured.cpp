@@ -1,6 +1,6 @@
 // A measured frequency response in the Tune panel's open loop.
 #include "app/figures/tuning_figures.h"
-#include "app/workspaces/tune/tune_form.h"
+#include "app/workspaces/tune/loop/tune_form.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "widgets/controls/message_bar.h"
 

@@ -1,9 +1,9 @@
 // Gains by hand in the Tune panel: the crossover, the margin and the poles are moved, the gains follow.
-#include "app/workspaces/tune/filter_editor.h"
-#include "app/workspaces/tune/gain_editor.h"
-#include "app/workspaces/tune/loop_sliders.h"
-#include "app/workspaces/tune/loop_view.h"
-#include "app/workspaces/tune/tune_form.h"
+#include "app/workspaces/tune/loop/filter_editor.h"
+#include "app/workspaces/tune/loop/gain_editor.h"
+#include "app/workspaces/tune/loop/loop_sliders.h"
+#include "app/workspaces/tune/loop/loop_view.h"
+#include "app/workspaces/tune/loop/tune_form.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "widgets/language/phrasebook.h"
 

@@ -1,8 +1,8 @@
 #include "app/window/docks/dock_layout.h"
 #include "app/workspaces/parts/page_chooser.h"
-#include "app/workspaces/tune/design_names.h"
-#include "app/workspaces/tune/loop_view.h"
-#include "app/workspaces/tune/tune_form.h"
+#include "app/workspaces/tune/loop/design_names.h"
+#include "app/workspaces/tune/loop/loop_view.h"
+#include "app/workspaces/tune/loop/tune_form.h"
 #include "tests/app/workspaces/published_motor.h"
 #include "tests/gui/screenshots/photographer.h"
 

@@ -1,8 +1,8 @@
 // Gains with weights and filters in the Tune panel: shown, kept, compared, written, applied.
 #include "app/documents/filtered_gains.h"
 #include "app/workspaces/tune/design_table.h"
-#include "app/workspaces/tune/filter_editor.h"
-#include "app/workspaces/tune/loop_view.h"
+#include "app/workspaces/tune/loop/filter_editor.h"
+#include "app/workspaces/tune/loop/loop_view.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 
 #include <QCheckBox>

@@ -2,7 +2,7 @@
 
 #include "app/documents/model_file.h"
 #include "app/workspaces/parts/preflight.h"
-#include "app/workspaces/tune/tune_form.h"
+#include "app/workspaces/tune/loop/tune_form.h"
 #include "app/workspaces/tune/tune_numbers.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "tests/app/workspaces/panel_fixture.h"

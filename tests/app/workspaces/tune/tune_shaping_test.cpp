@@ -1,5 +1,5 @@
-#include "app/workspaces/tune/loop_sliders.h"
-#include "app/workspaces/tune/loop_view.h"
+#include "app/workspaces/tune/loop/loop_sliders.h"
+#include "app/workspaces/tune/loop/loop_view.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/design_names.h"
+#include "app/workspaces/tune/loop/design_names.h"
 
 #include <QCoreApplication>
 

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/loop_sliders.h"
+#include "app/workspaces/tune/loop/loop_sliders.h"
 
 #include "app/workspaces/parts/panel_parts.h"
 #include "control/base/units.h"

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/filter_editor.h"
+#include "app/workspaces/tune/loop/filter_editor.h"
 
 #include "app/documents/filtered_gains.h"
 #include "app/workspaces/parts/figure_units.h"

@@ -1,7 +1,7 @@
-#include "app/workspaces/tune/tune_form.h"
+#include "app/workspaces/tune/loop/tune_form.h"
 
 #include "app/documents/presets.h"
-#include "app/workspaces/tune/design_names.h"
+#include "app/workspaces/tune/loop/design_names.h"
 #include "control/design/optimal_designs.h"
 #include "widgets/controls/optional_number_edit.h"
 #include "widgets/language/display_units.h"

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/gain_history.h"
+#include "app/workspaces/tune/loop/gain_history.h"
 
 #include "control/base/assert.h"
 

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/gain_editor.h"
+#include "app/workspaces/tune/loop/gain_editor.h"
 
 #include "app/figures/parameter_units.h"
 #include "widgets/controls/optional_number_edit.h"

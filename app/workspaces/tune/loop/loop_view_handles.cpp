@@ -1,7 +1,7 @@
 // What can be moved in the pictures of the open loop.
 #include "app/workbench/signals/loop_phase.h"
 #include "app/workspaces/parts/figure_units.h"
-#include "app/workspaces/tune/loop_view.h"
+#include "app/workspaces/tune/loop/loop_view.h"
 #include "control/base/units.h"
 #include "widgets/figure/figure_view.h"
 

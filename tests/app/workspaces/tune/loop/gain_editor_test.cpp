@@ -1,5 +1,5 @@
 #include "app/workbench/document_files.h"
-#include "app/workspaces/tune/gain_editor.h"
+#include "app/workspaces/tune/loop/gain_editor.h"
 #include "app/workspaces/tune/tune_question.h"
 #include "tests/app/workspaces/published_motor.h"
 #include "tests/widgets/gui_fixture.h"

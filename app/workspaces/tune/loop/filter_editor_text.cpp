@@ -1,5 +1,5 @@
 // What the fields of the filter editor are called.
-#include "app/workspaces/tune/filter_editor.h"
+#include "app/workspaces/tune/loop/filter_editor.h"
 #include "widgets/controls/optional_number_edit.h"
 
 #include <QComboBox>

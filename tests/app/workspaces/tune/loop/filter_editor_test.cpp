@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/filter_editor.h"
+#include "app/workspaces/tune/loop/filter_editor.h"
 #include "control/base/units.h"
 #include "tests/widgets/gui_fixture.h"
 #include "widgets/controls/optional_number_edit.h"

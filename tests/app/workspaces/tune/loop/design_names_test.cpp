@@ -1,5 +1,5 @@
 #include "app/documents/presets.h"
-#include "app/workspaces/tune/design_names.h"
+#include "app/workspaces/tune/loop/design_names.h"
 #include "control/design/design_methods.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/loop_view.h"
+#include "app/workspaces/tune/loop/loop_view.h"
 
 #include "app/figures/loop_figures.h"
 #include "app/figures/root_locus_figure.h"
