@@ -17223,6 +17223,29 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
 <context>
     <name>halbench::app::TunePanel</name>
     <message>
+        <source>Use %1</source>
+        <translation>%1 verwenden</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Motor (SI, 95 %): %1</source>
+        <translation>Motor (SI, 95 %): %1</translation>
+    </message>
+    <message>
+        <source>Tuning is not available for this device</source>
+        <translation>Für dieses Gerät ist keine Reglereinstellung verfügbar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n control loop(s), no identification procedure. Edit the gains in Parameters and check them with a reference in Drive.</source>
+        <translation>
+            <numerusform>%n Regelkreis, kein Identifikationsablauf. Reglerparameter unter „Parameter“ bearbeiten und mit einer Führungsgröße unter „Antrieb“ prüfen.</numerusform>
+            <numerusform>%n Regelkreise, kein Identifikationsablauf. Reglerparameter unter „Parameter“ bearbeiten und mit einer Führungsgröße unter „Antrieb“ prüfen.</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>No axes to tune yet</source>
         <translation>Noch keine Achsen auszulegen</translation>
     </message>
@@ -17234,336 +17257,251 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <source>Identify the axes</source>
         <translation>Achsen identifizieren</translation>
     </message>
-    <message numerus="yes">
-        <source>%n control loop(s), no identification procedure. Edit the gains in Parameters and check them with a reference in Drive.</source>
-        <translation>
-            <numerusform>%n Regelkreis, kein Identifikationsablauf. Reglerparameter unter „Parameter“ bearbeiten und mit einer Führungsgröße unter „Antrieb“ prüfen.</numerusform>
-            <numerusform>%n Regelkreise, kein Identifikationsablauf. Reglerparameter unter „Parameter“ bearbeiten und mit einer Führungsgröße unter „Antrieb“ prüfen.</numerusform>
-        </translation>
-    </message>
     <message>
-        <source>Use the gains of a file as proposed gains; they are assessed before they can be applied</source>
-        <translation>Reglerparameter einer Datei als Vorschlag verwenden; sie werden vor dem Übernehmen beurteilt</translation>
-    </message>
-    <message>
-        <source>Effect of a load step on the angle</source>
-        <translation>Wirkung eines Lastsprungs auf den Winkel</translation>
-    </message>
-    <message>
-        <source>Recorded gains…</source>
-        <translation>Damalige Reglerparameter …</translation>
-    </message>
-    <message>
-        <source>Choose the file with the gains that were active during the recording.</source>
-        <translation>Datei mit den bei der Aufzeichnung aktiven Reglerparametern wählen.</translation>
-    </message>
-    <message>
-        <source>What-if: %1</source>
-        <translation>Was-wäre-wenn: %1</translation>
-    </message>
-    <message>
-        <source>The recording is shown after a motor is identified.</source>
-        <translation>Die Aufzeichnung wird gezeigt, sobald ein Motor identifiziert ist.</translation>
-    </message>
-    <message>
-        <source>Open the active gains of the recording</source>
-        <translation>Bei der Aufzeichnung aktive Reglerparameter öffnen</translation>
-    </message>
-    <message>
-        <source>More gain would be unstable: limited.</source>
-        <translation>Mehr Verstärkung wäre instabil: begrenzt.</translation>
-    </message>
-    <message>
-        <source>Relative to the start position of the rotor</source>
-        <translation>Relativ zur Startposition des Rotors</translation>
-    </message>
-    <message>
-        <source>Replay of a recorded move with the proposed gains</source>
-        <translation>Wiedergabe einer aufgezeichneten Bewegung mit den vorgeschlagenen Reglerparametern</translation>
-    </message>
-    <message>
-        <source>What-if</source>
-        <translation>Was-wäre-wenn</translation>
-    </message>
-    <message>
-        <source>Outside the predicted band (applied gains, not those shown)</source>
-        <translation>Außerhalb des vorhergesagten Bands (übernommene Reglerparameter, nicht die gezeigten)</translation>
-    </message>
-    <message>
-        <source>Change K_P and K_P + K_D/T by at most half in each step. Each step is assessed before writing and verified by a move; on failure the previous gains are restored</source>
-        <translation>K_P und K_P + K_D/T je Schritt höchstens um die Hälfte ändern. Jeder Schritt wird vor dem Schreiben beurteilt und durch eine Bewegung nachgewiesen; bei Misserfolg werden die vorigen Reglerparameter wiederhergestellt</translation>
-    </message>
-    <message>
-        <source>Apply gradually</source>
-        <translation>Schrittweise übernehmen</translation>
-    </message>
-    <message>
-        <source>Within the predicted band (applied gains, not those shown)</source>
-        <translation>Im vorhergesagten Band (übernommene Reglerparameter, nicht die gezeigten)</translation>
-    </message>
-    <message>
-        <source>Gain source: %1</source>
-        <translation>Herkunft der Reglerparameter: %1</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>%1 verwenden</translation>
-    </message>
-    <message>
-        <source>Write all gains together, then verify with a step; Esc stops it</source>
-        <translation>Alle Reglerparameter zusammen schreiben, dann mit einem Sprung nachweisen; Esc stoppt</translation>
-    </message>
-    <message>
-        <source>not assessed: %1</source>
-        <translation>nicht beurteilt: %1</translation>
-    </message>
-    <message>
-        <source>not assessed yet</source>
-        <translation>noch nicht beurteilt</translation>
-    </message>
-    <message>
-        <source>not assessed: project entry cannot be read</source>
-        <translation>nicht beurteilt: Projekteintrag nicht lesbar</translation>
-    </message>
-    <message>
-        <source>They are saved as design &apos;%1&apos;. To use them: Use this design, then Apply and verify.</source>
-        <translation>Sie sind als Entwurf „%1“ gespeichert. Verwenden: „Entwurf verwenden“, dann „Übernehmen, prüfen“.</translation>
-    </message>
-    <message>
-        <source>They stay active until power-off.</source>
-        <translation>Sie gelten bis zum Ausschalten.</translation>
-    </message>
-    <message>
-        <source>A simulated device is reset on disconnect.</source>
-        <translation>Ein simuliertes Gerät wird beim Trennen zurückgesetzt.</translation>
-    </message>
-    <message>
-        <source>%1 was disconnected with the kept gains.</source>
-        <translation>%1 wurde mit den behaltenen Reglerparametern getrennt.</translation>
-    </message>
-    <message>
-        <source>Gains applied on %1 were neither kept nor restored.</source>
-        <translation>Auf %1 übernommene Reglerparameter wurden weder behalten noch zurückgenommen.</translation>
-    </message>
-    <message>
-        <source>They are saved as design &apos;%1&apos;.</source>
-        <translation>Sie sind als Entwurf „%1“ gespeichert.</translation>
-    </message>
-    <message>
-        <source>They are saved as design &apos;%1&apos; and can be applied again.</source>
-        <translation>Sie sind als Entwurf „%1“ gespeichert und können erneut übernommen werden.</translation>
-    </message>
-    <message>
-        <source>Gains (*.json);;Control law as C code (*.c)</source>
-        <translation>Reglerparameter (*.json);;Regelgesetz als C-Code (*.c)</translation>
-    </message>
-    <message>
-        <source>Show the response measured with identify --frequency in the open loop, with the proposed gains (no motor model)</source>
-        <translation>Mit identify --frequency gemessenen Frequenzgang im offenen Kreis zeigen, mit den vorgeschlagenen Reglerparametern (ohne Motormodell)</translation>
-    </message>
-    <message>
-        <source>Show only predictions in the open loop</source>
-        <translation>Im offenen Kreis nur Vorhersagen zeigen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 frequencies are coherent; the others are hollow.</source>
-        <translation>%1 von %2 Frequenzen sind kohärent; die anderen sind hohl.</translation>
-    </message>
-    <message>
-        <source>Measured response shown in the open loop, with the proposed gains.</source>
-        <translation>Gemessener Frequenzgang im offenen Kreis gezeigt, mit den vorgeschlagenen Reglerparametern.</translation>
-    </message>
-    <message>
-        <source>Saved designs, compared with the proposed gains</source>
-        <translation>Gespeicherte Entwürfe, mit den vorgeschlagenen Reglerparametern verglichen</translation>
-    </message>
-    <message>
-        <source>Within the predicted band (gains no longer active)</source>
-        <translation>Im vorhergesagten Band (Reglerparameter nicht mehr aktiv)</translation>
-    </message>
-    <message>
-        <source>No verification yet</source>
-        <translation>Noch kein Nachweis</translation>
-    </message>
-    <message>
-        <source>Keep the new gains, or restore the previous ones.</source>
-        <translation>Neue Reglerparameter behalten oder die vorigen wiederherstellen.</translation>
-    </message>
-    <message>
-        <source>Verification running</source>
-        <translation>Nachweis läuft</translation>
-    </message>
-    <message>
-        <source>New gains active until disconnect.</source>
-        <translation>Neue Reglerparameter gelten bis zum Trennen.</translation>
-    </message>
-    <message>
-        <source>New gains active until power-off (simulated: until disconnect). To keep them: Save to device, in the Parameters panel</source>
-        <translation>Neue Reglerparameter gelten bis zum Ausschalten (simuliert: bis zum Trennen). Behalten: „Im Gerät speichern“ im Bereich Parameter</translation>
-    </message>
-    <message>
-        <source>To keep them: Save to device, in the Parameters panel.</source>
-        <translation>Behalten: „Im Gerät speichern“ im Bereich Parameter.</translation>
-    </message>
-    <message>
-        <source>New gains active until power-off.</source>
-        <translation>Neue Reglerparameter gelten bis zum Ausschalten.</translation>
-    </message>
-    <message>
-        <source>Measured move and prediction, after Apply and verify</source>
-        <translation>Gemessene Bewegung und Vorhersage, nach „Übernehmen, prüfen“</translation>
-    </message>
-    <message>
-        <source>All predicted figures, margins with intervals</source>
-        <translation>Alle vorhergesagten Kennzahlen, Reserven mit Intervallen</translation>
-    </message>
-    <message>
-        <source>Step of the linear loop</source>
-        <translation>Sprung des linearen Kreises</translation>
-    </message>
-    <message>
-        <source>Choose a method to design new gains for the present motor model.</source>
-        <translation>Verfahren wählen, um neue Reglerparameter für das jetzige Motormodell zu entwerfen.</translation>
-    </message>
-    <message>
-        <source>Previous gains restored.</source>
-        <translation>Vorige Reglerparameter wiederhergestellt.</translation>
-    </message>
-    <message>
-        <source>Not kept, previous gains restored: %1</source>
-        <translation>Nicht behalten, vorige Reglerparameter wiederhergestellt: %1</translation>
-    </message>
-    <message>
-        <source>Applied and verified: the move matched the prediction.</source>
-        <translation>Übernommen und nachgewiesen: Die Bewegung entsprach der Vorhersage.</translation>
-    </message>
-    <message>
-        <source>Cancelled. Previous gains restored.</source>
-        <translation>Abgebrochen. Vorige Reglerparameter wiederhergestellt.</translation>
-    </message>
-    <message>
-        <source>Save gains to a file</source>
-        <translation>Reglerparameter in einer Datei speichern</translation>
-    </message>
-    <message>
-        <source>Restore the previous gains</source>
-        <translation>Vorige Reglerparameter wiederherstellen</translation>
+        <source>No motor to tune</source>
+        <translation>Kein Motor zum Auslegen</translation>
     </message>
     <message>
         <source>Gains are designed for an identified motor and verified by a move before they are kept.</source>
         <translation>Reglerparameter werden für einen identifizierten Motor entworfen und vor dem Behalten durch eine Bewegung nachgewiesen.</translation>
     </message>
     <message>
-        <source>No motor to tune</source>
-        <translation>Kein Motor zum Auslegen</translation>
-    </message>
-    <message>
-        <source>Verification: %1</source>
-        <translation>Nachweis: %1</translation>
-    </message>
-    <message>
         <source>Identify the motor</source>
         <translation>Den Motor identifizieren</translation>
-    </message>
-    <message>
-        <source>Apply and verify</source>
-        <translation>Übernehmen, prüfen</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Save gains…</source>
-        <translation>Speichern …</translation>
-    </message>
-    <message>
-        <source>Small step</source>
-        <translation>Kleiner Sprung</translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation>Zahlen</translation>
     </message>
     <message>
         <source>Verification</source>
         <translation>Nachweis</translation>
     </message>
     <message>
-        <source>Predictions</source>
-        <translation>Vorhersagen</translation>
+        <source>Measured move and prediction, after Apply and verify</source>
+        <translation>Gemessene Bewegung und Vorhersage, nach „Übernehmen, prüfen“</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>Übernehmen</translation>
+        <source>What-if</source>
+        <translation>Was-wäre-wenn</translation>
+    </message>
+    <message>
+        <source>Replay of a recorded move with the proposed gains</source>
+        <translation>Wiedergabe einer aufgezeichneten Bewegung mit den vorgeschlagenen Reglerparametern</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ApplyControls</name>
+    <message>
+        <source>Verification: %1</source>
+        <translation>Nachweis: %1</translation>
+    </message>
+    <message>
+        <source>Verification running</source>
+        <translation>Nachweis läuft</translation>
     </message>
     <message>
         <source>Writing the gains</source>
         <translation>Die Reglerparameter werden geschrieben</translation>
     </message>
     <message>
-        <source>Save gains</source>
-        <translation>Reglerparameter speichern</translation>
+        <source>These gains cannot be applied: %1. %2.</source>
+        <translation>Diese Reglerparameter können nicht übernommen werden: %1; %2.</translation>
     </message>
     <message>
-        <source>Saved as %1</source>
-        <translation>Gespeichert als %1</translation>
+        <source>Relative to the start position of the rotor</source>
+        <translation>Relativ zur Startposition des Rotors</translation>
+    </message>
+    <message>
+        <source>Apply and verify</source>
+        <translation>Übernehmen, prüfen</translation>
+    </message>
+    <message>
+        <source>Write all gains together, then verify with a step; Esc stops it</source>
+        <translation>Alle Reglerparameter zusammen schreiben, dann mit einem Sprung nachweisen; Esc stoppt</translation>
+    </message>
+    <message>
+        <source>Apply gradually</source>
+        <translation>Schrittweise übernehmen</translation>
+    </message>
+    <message>
+        <source>Change K_P and K_P + K_D/T by at most half in each step. Each step is assessed before writing and verified by a move; on failure the previous gains are restored</source>
+        <translation>K_P und K_P + K_D/T je Schritt höchstens um die Hälfte ändern. Jeder Schritt wird vor dem Schreiben beurteilt und durch eine Bewegung nachgewiesen; bei Misserfolg werden die vorigen Reglerparameter wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>New gains active until power-off (simulated: until disconnect). To keep them: Save to device, in the Parameters panel</source>
+        <translation>Neue Reglerparameter gelten bis zum Ausschalten (simuliert: bis zum Trennen). Behalten: „Im Gerät speichern“ im Bereich Parameter</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restore the previous gains</source>
+        <translation>Vorige Reglerparameter wiederherstellen</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DesignComparison</name>
+    <message>
+        <source>not assessed: project entry cannot be read</source>
+        <translation>nicht beurteilt: Projekteintrag nicht lesbar</translation>
+    </message>
+    <message>
+        <source>not assessed yet</source>
+        <translation>noch nicht beurteilt</translation>
+    </message>
+    <message>
+        <source>not assessed: %1</source>
+        <translation>nicht beurteilt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::GainDecision</name>
+    <message>
+        <source>Apply</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Not kept, previous gains restored: %1</source>
+        <translation>Nicht behalten, vorige Reglerparameter wiederhergestellt: %1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Previous gains restored.</source>
+        <translation>Abgebrochen. Vorige Reglerparameter wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Applied and verified: the move matched the prediction.</source>
+        <translation>Übernommen und nachgewiesen: Die Bewegung entsprach der Vorhersage.</translation>
+    </message>
+    <message>
+        <source>Keep the new gains, or restore the previous ones.</source>
+        <translation>Neue Reglerparameter behalten oder die vorigen wiederherstellen.</translation>
     </message>
     <message>
         <source>Tune</source>
         <translation>Auslegen</translation>
     </message>
     <message>
-        <source>Open loop</source>
-        <translation>Offener Kreis</translation>
-    </message>
-    <message>
-        <source>Step of %1</source>
-        <translation>Sprung um %1</translation>
-    </message>
-    <message>
-        <source>A large step with friction and current limit</source>
-        <translation>Ein großer Sprung mit Reibung und Stromgrenze</translation>
-    </message>
-    <message>
-        <source>Within the predicted band</source>
-        <translation>Im vorhergesagten Band</translation>
-    </message>
-    <message>
-        <source>Outside the predicted band</source>
-        <translation>Außerhalb des vorhergesagten Bands</translation>
-    </message>
-    <message>
-        <source>Designs</source>
-        <translation>Entwürfe</translation>
-    </message>
-    <message>
-        <source>Bode, Nyquist and Nichols plot, and sensitivity</source>
-        <translation>Bode-, Nyquist- und Nichols-Diagramm sowie Empfindlichkeit</translation>
-    </message>
-    <message>
-        <source>Open a measured response</source>
-        <translation>Gemessenen Frequenzgang öffnen</translation>
-    </message>
-    <message>
-        <source>Response (*.json)</source>
-        <translation>Frequenzgang (*.json)</translation>
-    </message>
-    <message>
-        <source>Measured response…</source>
-        <translation>Messung …</translation>
+        <source>To keep them: Save to device, in the Parameters panel.</source>
+        <translation>Behalten: „Im Gerät speichern“ im Bereich Parameter.</translation>
     </message>
     <message>
         <source>kept on %1</source>
         <translation>behalten auf %1</translation>
     </message>
     <message>
+        <source>They are saved as design &apos;%1&apos; and can be applied again.</source>
+        <translation>Sie sind als Entwurf „%1“ gespeichert und können erneut übernommen werden.</translation>
+    </message>
+    <message>
+        <source>They are saved as design &apos;%1&apos;.</source>
+        <translation>Sie sind als Entwurf „%1“ gespeichert.</translation>
+    </message>
+    <message>
+        <source>New gains active until disconnect.</source>
+        <translation>Neue Reglerparameter gelten bis zum Trennen.</translation>
+    </message>
+    <message>
+        <source>New gains active until power-off.</source>
+        <translation>Neue Reglerparameter gelten bis zum Ausschalten.</translation>
+    </message>
+    <message>
+        <source>Previous gains restored.</source>
+        <translation>Vorige Reglerparameter wiederhergestellt.</translation>
+    </message>
+    <message>
         <source>applied on %1</source>
         <translation>angewendet auf %1</translation>
+    </message>
+    <message>
+        <source>Gains applied on %1 were neither kept nor restored.</source>
+        <translation>Auf %1 übernommene Reglerparameter wurden weder behalten noch zurückgenommen.</translation>
+    </message>
+    <message>
+        <source>%1 was disconnected with the kept gains.</source>
+        <translation>%1 wurde mit den behaltenen Reglerparametern getrennt.</translation>
+    </message>
+    <message>
+        <source>A simulated device is reset on disconnect.</source>
+        <translation>Ein simuliertes Gerät wird beim Trennen zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>They stay active until power-off.</source>
+        <translation>Sie gelten bis zum Ausschalten.</translation>
+    </message>
+    <message>
+        <source>They are saved as design &apos;%1&apos;. To use them: Use this design, then Apply and verify.</source>
+        <translation>Sie sind als Entwurf „%1“ gespeichert. Verwenden: „Entwurf verwenden“, dann „Übernehmen, prüfen“.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::GainFiles</name>
+    <message>
+        <source>Open gains</source>
+        <translation>Reglerparameter öffnen</translation>
+    </message>
+    <message>
+        <source>Gains (*.json)</source>
+        <translation>Reglerparameter (*.json)</translation>
+    </message>
+    <message>
+        <source>Gains of %1.</source>
+        <translation>Reglerparameter aus %1.</translation>
+    </message>
+    <message>
+        <source>Save gains</source>
+        <translation>Reglerparameter speichern</translation>
+    </message>
+    <message>
+        <source>Gains (*.json);;Control law as C code (*.c)</source>
+        <translation>Reglerparameter (*.json);;Regelgesetz als C-Code (*.c)</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>Gespeichert als %1</translation>
+    </message>
+    <message>
+        <source>Save gains…</source>
+        <translation>Speichern …</translation>
+    </message>
+    <message>
+        <source>Save gains to a file</source>
+        <translation>Reglerparameter in einer Datei speichern</translation>
+    </message>
+    <message>
+        <source>Open gains…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Use the gains of a file as proposed gains; they are assessed before they can be applied</source>
+        <translation>Reglerparameter einer Datei als Vorschlag verwenden; sie werden vor dem Übernehmen beurteilt</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::GainHistoryActions</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::GainSettings</name>
+    <message>
+        <source>Gains from the project: %1.</source>
+        <translation>Reglerparameter aus dem Projekt: %1.</translation>
+    </message>
+    <message>
+        <source>Choose a method to design new gains for the present motor model.</source>
+        <translation>Verfahren wählen, um neue Reglerparameter für das jetzige Motormodell zu entwerfen.</translation>
+    </message>
+    <message>
+        <source>Gain source: %1</source>
+        <translation>Herkunft der Reglerparameter: %1</translation>
     </message>
     <message>
         <source>Edit the gains</source>
@@ -17573,14 +17511,9 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <source>Edit %1</source>
         <translation>%1 bearbeiten</translation>
     </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
+</context>
+<context>
+    <name>halbench::app::LoopShaping</name>
     <message>
         <source>Move a pole</source>
         <translation>Pol verschieben</translation>
@@ -17594,17 +17527,129 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <translation>Phasenreserve verschieben</translation>
     </message>
     <message>
-        <source>Gains from the project: %1.</source>
-        <translation>Reglerparameter aus dem Projekt: %1.</translation>
+        <source>More gain would be unstable: limited.</source>
+        <translation>Mehr Verstärkung wäre instabil: begrenzt.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::MeasuredOverlay</name>
+    <message>
+        <source>Open a measured response</source>
+        <translation>Gemessenen Frequenzgang öffnen</translation>
     </message>
     <message>
-        <source>Motor (SI, 95 %): %1</source>
-        <translation>Motor (SI, 95 %): %1</translation>
+        <source>Response (*.json)</source>
+        <translation>Frequenzgang (*.json)</translation>
+    </message>
+    <message>
+        <source>Measured response shown in the open loop, with the proposed gains.</source>
+        <translation>Gemessener Frequenzgang im offenen Kreis gezeigt, mit den vorgeschlagenen Reglerparametern.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frequencies are coherent; the others are hollow.</source>
+        <translation>%1 von %2 Frequenzen sind kohärent; die anderen sind hohl.</translation>
     </message>
     <message>
         <source>Remove the response</source>
         <translation>Messung entfernen</translation>
     </message>
+    <message>
+        <source>Measured response…</source>
+        <translation>Messung …</translation>
+    </message>
+    <message>
+        <source>Show only predictions in the open loop</source>
+        <translation>Im offenen Kreis nur Vorhersagen zeigen</translation>
+    </message>
+    <message>
+        <source>Show the response measured with identify --frequency in the open loop, with the proposed gains (no motor model)</source>
+        <translation>Mit identify --frequency gemessenen Frequenzgang im offenen Kreis zeigen, mit den vorgeschlagenen Reglerparametern (ohne Motormodell)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PredictionPages</name>
+    <message>
+        <source>Open loop</source>
+        <translation>Offener Kreis</translation>
+    </message>
+    <message>
+        <source>Bode, Nyquist and Nichols plot, and sensitivity</source>
+        <translation>Bode-, Nyquist- und Nichols-Diagramm sowie Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>Step of %1</source>
+        <translation>Sprung um %1</translation>
+    </message>
+    <message>
+        <source>A large step with friction and current limit</source>
+        <translation>Ein großer Sprung mit Reibung und Stromgrenze</translation>
+    </message>
+    <message>
+        <source>Small step</source>
+        <translation>Kleiner Sprung</translation>
+    </message>
+    <message>
+        <source>Step of the linear loop</source>
+        <translation>Sprung des linearen Kreises</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>Effect of a load step on the angle</source>
+        <translation>Wirkung eines Lastsprungs auf den Winkel</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>All predicted figures, margins with intervals</source>
+        <translation>Alle vorhergesagten Kennzahlen, Reserven mit Intervallen</translation>
+    </message>
+    <message>
+        <source>Designs</source>
+        <translation>Entwürfe</translation>
+    </message>
+    <message>
+        <source>Saved designs, compared with the proposed gains</source>
+        <translation>Gespeicherte Entwürfe, mit den vorgeschlagenen Reglerparametern verglichen</translation>
+    </message>
+    <message>
+        <source>Predictions</source>
+        <translation>Vorhersagen</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::VerificationPage</name>
+    <message>
+        <source>No verification yet</source>
+        <translation>Noch kein Nachweis</translation>
+    </message>
+    <message>
+        <source>Within the predicted band (gains no longer active)</source>
+        <translation>Im vorhergesagten Band (Reglerparameter nicht mehr aktiv)</translation>
+    </message>
+    <message>
+        <source>Within the predicted band (applied gains, not those shown)</source>
+        <translation>Im vorhergesagten Band (übernommene Reglerparameter, nicht die gezeigten)</translation>
+    </message>
+    <message>
+        <source>Within the predicted band</source>
+        <translation>Im vorhergesagten Band</translation>
+    </message>
+    <message>
+        <source>Outside the predicted band</source>
+        <translation>Außerhalb des vorhergesagten Bands</translation>
+    </message>
+    <message>
+        <source>Outside the predicted band (applied gains, not those shown)</source>
+        <translation>Außerhalb des vorhergesagten Bands (übernommene Reglerparameter, nicht die gezeigten)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::WhatIfRecording</name>
     <message>
         <source>Open a recorded move</source>
         <translation>Aufgezeichnete Bewegung öffnen</translation>
@@ -17614,36 +17659,32 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <translation>Aufzeichnung (*.csv *.mf4)</translation>
     </message>
     <message>
+        <source>Open the active gains of the recording</source>
+        <translation>Bei der Aufzeichnung aktive Reglerparameter öffnen</translation>
+    </message>
+    <message>
         <source>Gains (*.json)</source>
         <translation>Reglerparameter (*.json)</translation>
     </message>
     <message>
-        <source>Disturbance</source>
-        <translation>Störung</translation>
+        <source>The recording is shown after a motor is identified.</source>
+        <translation>Die Aufzeichnung wird gezeigt, sobald ein Motor identifiziert ist.</translation>
     </message>
     <message>
-        <source>Open gains</source>
-        <translation>Reglerparameter öffnen</translation>
+        <source>Tune</source>
+        <translation>Auslegen</translation>
     </message>
     <message>
-        <source>Open %1</source>
-        <translation>%1 öffnen</translation>
+        <source>What-if: %1</source>
+        <translation>Was-wäre-wenn: %1</translation>
     </message>
     <message>
-        <source>Gains of %1.</source>
-        <translation>Reglerparameter aus %1.</translation>
+        <source>Choose the file with the gains that were active during the recording.</source>
+        <translation>Datei mit den bei der Aufzeichnung aktiven Reglerparametern wählen.</translation>
     </message>
     <message>
-        <source>Open gains…</source>
-        <translation>Öffnen …</translation>
-    </message>
-    <message>
-        <source>These gains cannot be applied: %1. %2.</source>
-        <translation>Diese Reglerparameter können nicht übernommen werden: %1; %2.</translation>
-    </message>
-    <message>
-        <source>Tuning is not available for this device</source>
-        <translation>Für dieses Gerät ist keine Reglereinstellung verfügbar</translation>
+        <source>Recorded gains…</source>
+        <translation>Damalige Reglerparameter …</translation>
     </message>
 </context>
 <context>

@@ -17211,6 +17211,28 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
 <context>
     <name>halbench::app::TunePanel</name>
     <message>
+        <source>Use %1</source>
+        <translation>使用 %1</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>打开 %1</translation>
+    </message>
+    <message>
+        <source>Motor (SI, 95 %): %1</source>
+        <translation>电机（SI，95 %）：%1</translation>
+    </message>
+    <message>
+        <source>Tuning is not available for this device</source>
+        <translation>此设备不支持整定</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n control loop(s), no identification procedure. Edit the gains in Parameters and check them with a reference in Drive.</source>
+        <translation>
+            <numerusform>%n 个控制回路，没有辨识流程。请在“参数”中编辑增益，并在“驱动”中用参考信号检查。</numerusform>
+        </translation>
+    </message>
+    <message>
         <source>No axes to tune yet</source>
         <translation>尚无可整定的轴</translation>
     </message>
@@ -17222,335 +17244,251 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <source>Identify the axes</source>
         <translation>辨识各轴</translation>
     </message>
-    <message numerus="yes">
-        <source>%n control loop(s), no identification procedure. Edit the gains in Parameters and check them with a reference in Drive.</source>
-        <translation>
-            <numerusform>%n 个控制回路，没有辨识流程。请在“参数”中编辑增益，并在“驱动”中用参考信号检查。</numerusform>
-        </translation>
-    </message>
     <message>
-        <source>Use the gains of a file as proposed gains; they are assessed before they can be applied</source>
-        <translation>将文件中的增益用作建议增益；应用前先评估</translation>
-    </message>
-    <message>
-        <source>Effect of a load step on the angle</source>
-        <translation>负载阶跃对角度的影响</translation>
-    </message>
-    <message>
-        <source>Recorded gains…</source>
-        <translation>记录时的增益…</translation>
-    </message>
-    <message>
-        <source>Choose the file with the gains that were active during the recording.</source>
-        <translation>请选择记录时生效的增益文件。</translation>
-    </message>
-    <message>
-        <source>What-if: %1</source>
-        <translation>假设分析：%1</translation>
-    </message>
-    <message>
-        <source>The recording is shown after a motor is identified.</source>
-        <translation>辨识电机后显示该记录。</translation>
-    </message>
-    <message>
-        <source>Open the active gains of the recording</source>
-        <translation>打开记录时生效的增益</translation>
-    </message>
-    <message>
-        <source>More gain would be unstable: limited.</source>
-        <translation>增益再大则不稳定：已限制。</translation>
-    </message>
-    <message>
-        <source>Relative to the start position of the rotor</source>
-        <translation>相对于转子的起始位置</translation>
-    </message>
-    <message>
-        <source>Replay of a recorded move with the proposed gains</source>
-        <translation>用建议的增益回放已记录的运动</translation>
-    </message>
-    <message>
-        <source>What-if</source>
-        <translation>假设分析</translation>
-    </message>
-    <message>
-        <source>Outside the predicted band (applied gains, not those shown)</source>
-        <translation>超出预测范围（指已应用的增益，而非显示的增益）</translation>
-    </message>
-    <message>
-        <source>Change K_P and K_P + K_D/T by at most half in each step. Each step is assessed before writing and verified by a move; on failure the previous gains are restored</source>
-        <translation>每步使 K_P 和 K_P + K_D/T 至多变化一半。每步写入前先评估，并通过一次运动验证；失败时恢复之前的增益</translation>
-    </message>
-    <message>
-        <source>Apply gradually</source>
-        <translation>逐步应用</translation>
-    </message>
-    <message>
-        <source>Within the predicted band (applied gains, not those shown)</source>
-        <translation>在预测范围内（指已应用的增益，而非显示的增益）</translation>
-    </message>
-    <message>
-        <source>Gain source: %1</source>
-        <translation>增益来源：%1</translation>
-    </message>
-    <message>
-        <source>Use %1</source>
-        <translation>使用 %1</translation>
-    </message>
-    <message>
-        <source>Write all gains together, then verify with a step; Esc stops it</source>
-        <translation>一次写入全部增益，然后用阶跃验证；按 Esc 停止</translation>
-    </message>
-    <message>
-        <source>not assessed: %1</source>
-        <translation>未评估：%1</translation>
-    </message>
-    <message>
-        <source>not assessed yet</source>
-        <translation>尚未评估</translation>
-    </message>
-    <message>
-        <source>not assessed: project entry cannot be read</source>
-        <translation>未评估：无法读取项目条目</translation>
-    </message>
-    <message>
-        <source>They are saved as design &apos;%1&apos;. To use them: Use this design, then Apply and verify.</source>
-        <translation>已存为设计“%1”。使用方法：先“使用此设计”，再“应用并验证”。</translation>
-    </message>
-    <message>
-        <source>They stay active until power-off.</source>
-        <translation>断电前仍然有效。</translation>
-    </message>
-    <message>
-        <source>A simulated device is reset on disconnect.</source>
-        <translation>仿真设备在断开时复位。</translation>
-    </message>
-    <message>
-        <source>%1 was disconnected with the kept gains.</source>
-        <translation>%1 已断开，保留的增益在该设备上。</translation>
-    </message>
-    <message>
-        <source>Gains applied on %1 were neither kept nor restored.</source>
-        <translation>应用于 %1 的增益既未保留也未恢复。</translation>
-    </message>
-    <message>
-        <source>They are saved as design &apos;%1&apos;.</source>
-        <translation>已存为设计“%1”。</translation>
-    </message>
-    <message>
-        <source>They are saved as design &apos;%1&apos; and can be applied again.</source>
-        <translation>已存为设计“%1”，可再次应用。</translation>
-    </message>
-    <message>
-        <source>Gains (*.json);;Control law as C code (*.c)</source>
-        <translation>增益 (*.json);;C 代码控制律 (*.c)</translation>
-    </message>
-    <message>
-        <source>Show the response measured with identify --frequency in the open loop, with the proposed gains (no motor model)</source>
-        <translation>在开环图中显示 identify --frequency 测得的响应，采用建议的增益（不含电机模型）</translation>
-    </message>
-    <message>
-        <source>Show only predictions in the open loop</source>
-        <translation>开环图中只显示预测</translation>
-    </message>
-    <message>
-        <source>%1 of %2 frequencies are coherent; the others are hollow.</source>
-        <translation>%2 个频率中有 %1 个相干；其余为空心点。</translation>
-    </message>
-    <message>
-        <source>Measured response shown in the open loop, with the proposed gains.</source>
-        <translation>测得的响应已显示在开环图中，采用建议的增益。</translation>
-    </message>
-    <message>
-        <source>Saved designs, compared with the proposed gains</source>
-        <translation>已保存的设计，与建议的增益比较</translation>
-    </message>
-    <message>
-        <source>Within the predicted band (gains no longer active)</source>
-        <translation>在预测范围内（增益已不再生效）</translation>
-    </message>
-    <message>
-        <source>No verification yet</source>
-        <translation>尚未验证</translation>
-    </message>
-    <message>
-        <source>Keep the new gains, or restore the previous ones.</source>
-        <translation>请保留新增益，或恢复之前的增益。</translation>
-    </message>
-    <message>
-        <source>Verification running</source>
-        <translation>正在验证</translation>
-    </message>
-    <message>
-        <source>New gains active until disconnect.</source>
-        <translation>新增益在断开前有效。</translation>
-    </message>
-    <message>
-        <source>New gains active until power-off (simulated: until disconnect). To keep them: Save to device, in the Parameters panel</source>
-        <translation>新增益在断电前（仿真：断开前）有效。如需保留：在“参数”面板中选择“保存到设备”</translation>
-    </message>
-    <message>
-        <source>To keep them: Save to device, in the Parameters panel.</source>
-        <translation>如需保留：在“参数”面板中选择“保存到设备”。</translation>
-    </message>
-    <message>
-        <source>New gains active until power-off.</source>
-        <translation>新增益在断电前有效。</translation>
-    </message>
-    <message>
-        <source>Measured move and prediction, after Apply and verify</source>
-        <translation>实测运动与预测，在“应用并验证”之后</translation>
-    </message>
-    <message>
-        <source>All predicted figures, margins with intervals</source>
-        <translation>所有预测指标，裕度附区间</translation>
-    </message>
-    <message>
-        <source>Step of the linear loop</source>
-        <translation>线性回路的阶跃</translation>
-    </message>
-    <message>
-        <source>Choose a method to design new gains for the present motor model.</source>
-        <translation>选择一种方法，为当前电机模型设计新的增益。</translation>
-    </message>
-    <message>
-        <source>Previous gains restored.</source>
-        <translation>已恢复之前的增益。</translation>
-    </message>
-    <message>
-        <source>Not kept, previous gains restored: %1</source>
-        <translation>未保留，已恢复之前的增益：%1</translation>
-    </message>
-    <message>
-        <source>Applied and verified: the move matched the prediction.</source>
-        <translation>已应用并验证：运动与预测一致。</translation>
-    </message>
-    <message>
-        <source>Cancelled. Previous gains restored.</source>
-        <translation>已取消。已恢复之前的增益。</translation>
-    </message>
-    <message>
-        <source>Save gains to a file</source>
-        <translation>将增益保存到文件</translation>
-    </message>
-    <message>
-        <source>Restore the previous gains</source>
-        <translation>恢复之前的增益</translation>
+        <source>No motor to tune</source>
+        <translation>没有可整定的电机</translation>
     </message>
     <message>
         <source>Gains are designed for an identified motor and verified by a move before they are kept.</source>
         <translation>针对已辨识的电机设计增益，并在保留前通过一次运动验证。</translation>
     </message>
     <message>
-        <source>No motor to tune</source>
-        <translation>没有可整定的电机</translation>
-    </message>
-    <message>
-        <source>Verification: %1</source>
-        <translation>验证：%1</translation>
-    </message>
-    <message>
         <source>Identify the motor</source>
         <translation>辨识电机</translation>
-    </message>
-    <message>
-        <source>Apply and verify</source>
-        <translation>应用并验证</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>保留</translation>
-    </message>
-    <message>
-        <source>Restore</source>
-        <translation>恢复</translation>
-    </message>
-    <message>
-        <source>Save gains…</source>
-        <translation>保存增益…</translation>
-    </message>
-    <message>
-        <source>Small step</source>
-        <translation>小阶跃</translation>
-    </message>
-    <message>
-        <source>Numbers</source>
-        <translation>数值</translation>
     </message>
     <message>
         <source>Verification</source>
         <translation>验证</translation>
     </message>
     <message>
-        <source>Predictions</source>
-        <translation>预测</translation>
+        <source>Measured move and prediction, after Apply and verify</source>
+        <translation>实测运动与预测，在“应用并验证”之后</translation>
     </message>
     <message>
-        <source>Apply</source>
-        <translation>应用</translation>
+        <source>What-if</source>
+        <translation>假设分析</translation>
+    </message>
+    <message>
+        <source>Replay of a recorded move with the proposed gains</source>
+        <translation>用建议的增益回放已记录的运动</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::ApplyControls</name>
+    <message>
+        <source>Verification: %1</source>
+        <translation>验证：%1</translation>
+    </message>
+    <message>
+        <source>Verification running</source>
+        <translation>正在验证</translation>
     </message>
     <message>
         <source>Writing the gains</source>
         <translation>正在写入增益</translation>
     </message>
     <message>
-        <source>Save gains</source>
-        <translation>保存增益</translation>
+        <source>These gains cannot be applied: %1. %2.</source>
+        <translation>这些增益不能应用：%1。%2。</translation>
     </message>
     <message>
-        <source>Saved as %1</source>
-        <translation>已保存为 %1</translation>
+        <source>Relative to the start position of the rotor</source>
+        <translation>相对于转子的起始位置</translation>
+    </message>
+    <message>
+        <source>Apply and verify</source>
+        <translation>应用并验证</translation>
+    </message>
+    <message>
+        <source>Write all gains together, then verify with a step; Esc stops it</source>
+        <translation>一次写入全部增益，然后用阶跃验证；按 Esc 停止</translation>
+    </message>
+    <message>
+        <source>Apply gradually</source>
+        <translation>逐步应用</translation>
+    </message>
+    <message>
+        <source>Change K_P and K_P + K_D/T by at most half in each step. Each step is assessed before writing and verified by a move; on failure the previous gains are restored</source>
+        <translation>每步使 K_P 和 K_P + K_D/T 至多变化一半。每步写入前先评估，并通过一次运动验证；失败时恢复之前的增益</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>New gains active until power-off (simulated: until disconnect). To keep them: Save to device, in the Parameters panel</source>
+        <translation>新增益在断电前（仿真：断开前）有效。如需保留：在“参数”面板中选择“保存到设备”</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Restore the previous gains</source>
+        <translation>恢复之前的增益</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::DesignComparison</name>
+    <message>
+        <source>not assessed: project entry cannot be read</source>
+        <translation>未评估：无法读取项目条目</translation>
+    </message>
+    <message>
+        <source>not assessed yet</source>
+        <translation>尚未评估</translation>
+    </message>
+    <message>
+        <source>not assessed: %1</source>
+        <translation>未评估：%1</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::GainDecision</name>
+    <message>
+        <source>Apply</source>
+        <translation>应用</translation>
+    </message>
+    <message>
+        <source>Not kept, previous gains restored: %1</source>
+        <translation>未保留，已恢复之前的增益：%1</translation>
+    </message>
+    <message>
+        <source>Cancelled. Previous gains restored.</source>
+        <translation>已取消。已恢复之前的增益。</translation>
+    </message>
+    <message>
+        <source>Applied and verified: the move matched the prediction.</source>
+        <translation>已应用并验证：运动与预测一致。</translation>
+    </message>
+    <message>
+        <source>Keep the new gains, or restore the previous ones.</source>
+        <translation>请保留新增益，或恢复之前的增益。</translation>
     </message>
     <message>
         <source>Tune</source>
         <translation>整定</translation>
     </message>
     <message>
-        <source>Open loop</source>
-        <translation>开环</translation>
-    </message>
-    <message>
-        <source>Step of %1</source>
-        <translation>%1 阶跃</translation>
-    </message>
-    <message>
-        <source>A large step with friction and current limit</source>
-        <translation>带摩擦和电流限制的大阶跃</translation>
-    </message>
-    <message>
-        <source>Within the predicted band</source>
-        <translation>在预测范围之内</translation>
-    </message>
-    <message>
-        <source>Outside the predicted band</source>
-        <translation>超出预测范围</translation>
-    </message>
-    <message>
-        <source>Designs</source>
-        <translation>设计</translation>
-    </message>
-    <message>
-        <source>Bode, Nyquist and Nichols plot, and sensitivity</source>
-        <translation>Bode 图、Nyquist 图、Nichols 图和灵敏度</translation>
-    </message>
-    <message>
-        <source>Open a measured response</source>
-        <translation>打开测得的响应</translation>
-    </message>
-    <message>
-        <source>Response (*.json)</source>
-        <translation>频率响应 (*.json)</translation>
-    </message>
-    <message>
-        <source>Measured response…</source>
-        <translation>测得的响应…</translation>
+        <source>To keep them: Save to device, in the Parameters panel.</source>
+        <translation>如需保留：在“参数”面板中选择“保存到设备”。</translation>
     </message>
     <message>
         <source>kept on %1</source>
         <translation>已保留于 %1</translation>
     </message>
     <message>
+        <source>They are saved as design &apos;%1&apos; and can be applied again.</source>
+        <translation>已存为设计“%1”，可再次应用。</translation>
+    </message>
+    <message>
+        <source>They are saved as design &apos;%1&apos;.</source>
+        <translation>已存为设计“%1”。</translation>
+    </message>
+    <message>
+        <source>New gains active until disconnect.</source>
+        <translation>新增益在断开前有效。</translation>
+    </message>
+    <message>
+        <source>New gains active until power-off.</source>
+        <translation>新增益在断电前有效。</translation>
+    </message>
+    <message>
+        <source>Previous gains restored.</source>
+        <translation>已恢复之前的增益。</translation>
+    </message>
+    <message>
         <source>applied on %1</source>
         <translation>已应用于 %1</translation>
+    </message>
+    <message>
+        <source>Gains applied on %1 were neither kept nor restored.</source>
+        <translation>应用于 %1 的增益既未保留也未恢复。</translation>
+    </message>
+    <message>
+        <source>%1 was disconnected with the kept gains.</source>
+        <translation>%1 已断开，保留的增益在该设备上。</translation>
+    </message>
+    <message>
+        <source>A simulated device is reset on disconnect.</source>
+        <translation>仿真设备在断开时复位。</translation>
+    </message>
+    <message>
+        <source>They stay active until power-off.</source>
+        <translation>断电前仍然有效。</translation>
+    </message>
+    <message>
+        <source>They are saved as design &apos;%1&apos;. To use them: Use this design, then Apply and verify.</source>
+        <translation>已存为设计“%1”。使用方法：先“使用此设计”，再“应用并验证”。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::GainFiles</name>
+    <message>
+        <source>Open gains</source>
+        <translation>打开增益</translation>
+    </message>
+    <message>
+        <source>Gains (*.json)</source>
+        <translation>增益 (*.json)</translation>
+    </message>
+    <message>
+        <source>Gains of %1.</source>
+        <translation>来自 %1 的增益。</translation>
+    </message>
+    <message>
+        <source>Save gains</source>
+        <translation>保存增益</translation>
+    </message>
+    <message>
+        <source>Gains (*.json);;Control law as C code (*.c)</source>
+        <translation>增益 (*.json);;C 代码控制律 (*.c)</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>已保存为 %1</translation>
+    </message>
+    <message>
+        <source>Save gains…</source>
+        <translation>保存增益…</translation>
+    </message>
+    <message>
+        <source>Save gains to a file</source>
+        <translation>将增益保存到文件</translation>
+    </message>
+    <message>
+        <source>Open gains…</source>
+        <translation>打开增益…</translation>
+    </message>
+    <message>
+        <source>Use the gains of a file as proposed gains; they are assessed before they can be applied</source>
+        <translation>将文件中的增益用作建议增益；应用前先评估</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::GainHistoryActions</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>撤销(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>重做(&amp;R)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::GainSettings</name>
+    <message>
+        <source>Gains from the project: %1.</source>
+        <translation>来自项目的增益：%1。</translation>
+    </message>
+    <message>
+        <source>Choose a method to design new gains for the present motor model.</source>
+        <translation>选择一种方法，为当前电机模型设计新的增益。</translation>
+    </message>
+    <message>
+        <source>Gain source: %1</source>
+        <translation>增益来源：%1</translation>
     </message>
     <message>
         <source>Edit the gains</source>
@@ -17560,14 +17498,9 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <source>Edit %1</source>
         <translation>编辑 %1</translation>
     </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>撤销(&amp;U)</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>重做(&amp;R)</translation>
-    </message>
+</context>
+<context>
+    <name>halbench::app::LoopShaping</name>
     <message>
         <source>Move a pole</source>
         <translation>移动极点</translation>
@@ -17581,17 +17514,129 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <translation>移动相位裕度</translation>
     </message>
     <message>
-        <source>Gains from the project: %1.</source>
-        <translation>来自项目的增益：%1。</translation>
+        <source>More gain would be unstable: limited.</source>
+        <translation>增益再大则不稳定：已限制。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::MeasuredOverlay</name>
+    <message>
+        <source>Open a measured response</source>
+        <translation>打开测得的响应</translation>
     </message>
     <message>
-        <source>Motor (SI, 95 %): %1</source>
-        <translation>电机（SI，95 %）：%1</translation>
+        <source>Response (*.json)</source>
+        <translation>频率响应 (*.json)</translation>
+    </message>
+    <message>
+        <source>Measured response shown in the open loop, with the proposed gains.</source>
+        <translation>测得的响应已显示在开环图中，采用建议的增益。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 frequencies are coherent; the others are hollow.</source>
+        <translation>%2 个频率中有 %1 个相干；其余为空心点。</translation>
     </message>
     <message>
         <source>Remove the response</source>
         <translation>移除频率响应</translation>
     </message>
+    <message>
+        <source>Measured response…</source>
+        <translation>测得的响应…</translation>
+    </message>
+    <message>
+        <source>Show only predictions in the open loop</source>
+        <translation>开环图中只显示预测</translation>
+    </message>
+    <message>
+        <source>Show the response measured with identify --frequency in the open loop, with the proposed gains (no motor model)</source>
+        <translation>在开环图中显示 identify --frequency 测得的响应，采用建议的增益（不含电机模型）</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PredictionPages</name>
+    <message>
+        <source>Open loop</source>
+        <translation>开环</translation>
+    </message>
+    <message>
+        <source>Bode, Nyquist and Nichols plot, and sensitivity</source>
+        <translation>Bode 图、Nyquist 图、Nichols 图和灵敏度</translation>
+    </message>
+    <message>
+        <source>Step of %1</source>
+        <translation>%1 阶跃</translation>
+    </message>
+    <message>
+        <source>A large step with friction and current limit</source>
+        <translation>带摩擦和电流限制的大阶跃</translation>
+    </message>
+    <message>
+        <source>Small step</source>
+        <translation>小阶跃</translation>
+    </message>
+    <message>
+        <source>Step of the linear loop</source>
+        <translation>线性回路的阶跃</translation>
+    </message>
+    <message>
+        <source>Disturbance</source>
+        <translation>扰动</translation>
+    </message>
+    <message>
+        <source>Effect of a load step on the angle</source>
+        <translation>负载阶跃对角度的影响</translation>
+    </message>
+    <message>
+        <source>Numbers</source>
+        <translation>数值</translation>
+    </message>
+    <message>
+        <source>All predicted figures, margins with intervals</source>
+        <translation>所有预测指标，裕度附区间</translation>
+    </message>
+    <message>
+        <source>Designs</source>
+        <translation>设计</translation>
+    </message>
+    <message>
+        <source>Saved designs, compared with the proposed gains</source>
+        <translation>已保存的设计，与建议的增益比较</translation>
+    </message>
+    <message>
+        <source>Predictions</source>
+        <translation>预测</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::VerificationPage</name>
+    <message>
+        <source>No verification yet</source>
+        <translation>尚未验证</translation>
+    </message>
+    <message>
+        <source>Within the predicted band (gains no longer active)</source>
+        <translation>在预测范围内（增益已不再生效）</translation>
+    </message>
+    <message>
+        <source>Within the predicted band (applied gains, not those shown)</source>
+        <translation>在预测范围内（指已应用的增益，而非显示的增益）</translation>
+    </message>
+    <message>
+        <source>Within the predicted band</source>
+        <translation>在预测范围之内</translation>
+    </message>
+    <message>
+        <source>Outside the predicted band</source>
+        <translation>超出预测范围</translation>
+    </message>
+    <message>
+        <source>Outside the predicted band (applied gains, not those shown)</source>
+        <translation>超出预测范围（指已应用的增益，而非显示的增益）</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::WhatIfRecording</name>
     <message>
         <source>Open a recorded move</source>
         <translation>打开记录的运动</translation>
@@ -17601,36 +17646,32 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <translation>记录 (*.csv *.mf4)</translation>
     </message>
     <message>
+        <source>Open the active gains of the recording</source>
+        <translation>打开记录时生效的增益</translation>
+    </message>
+    <message>
         <source>Gains (*.json)</source>
         <translation>增益 (*.json)</translation>
     </message>
     <message>
-        <source>Disturbance</source>
-        <translation>扰动</translation>
+        <source>The recording is shown after a motor is identified.</source>
+        <translation>辨识电机后显示该记录。</translation>
     </message>
     <message>
-        <source>Open gains</source>
-        <translation>打开增益</translation>
+        <source>Tune</source>
+        <translation>整定</translation>
     </message>
     <message>
-        <source>Open %1</source>
-        <translation>打开 %1</translation>
+        <source>What-if: %1</source>
+        <translation>假设分析：%1</translation>
     </message>
     <message>
-        <source>Gains of %1.</source>
-        <translation>来自 %1 的增益。</translation>
+        <source>Choose the file with the gains that were active during the recording.</source>
+        <translation>请选择记录时生效的增益文件。</translation>
     </message>
     <message>
-        <source>Open gains…</source>
-        <translation>打开增益…</translation>
-    </message>
-    <message>
-        <source>These gains cannot be applied: %1. %2.</source>
-        <translation>这些增益不能应用：%1。%2。</translation>
-    </message>
-    <message>
-        <source>Tuning is not available for this device</source>
-        <translation>此设备不支持整定</translation>
+        <source>Recorded gains…</source>
+        <translation>记录时的增益…</translation>
     </message>
 </context>
 <context>

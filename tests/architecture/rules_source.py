@@ -288,7 +288,7 @@ def actuators_are_named_in_their_folders(files):
 # Classes that still wait for their collaborators, with the sources they may have: no number grows, no name is added.
 SEVERAL_SOURCES = {
     "MainWindow": 4, "CalibratePanel": 2, "DrivePanel": 3, "MonitorPanel": 3, "RecordingsPanel": 2,
-    "FilterEditor": 2, "LoopView": 2, "TunePanel": 11, "SampleHistory": 4, "PageFile": 2, "A2lParser": 3,
+    "FilterEditor": 2, "LoopView": 2, "SampleHistory": 4, "PageFile": 2, "A2lParser": 3,
     "XcpMaster": 3, "RotorView": 2, "FigureView": 3, "LivePlot": 4, "LivePlotStack": 11, "ParameterTable": 2,
     "ParameterTableModel": 2,
 }

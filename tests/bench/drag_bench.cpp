@@ -5,6 +5,7 @@
 #include "app/documents/text/json_value.h"
 #include "app/workspaces/tune/loop/loop_view.h"
 #include "app/workspaces/tune/tune_panel.h"
+#include "app/workspaces/tune/tune_question.h"
 #include "tests/app/workspaces/published_motor.h"
 #include "tests/bench/goal.h"
 #include "widgets/figure/figure_view.h"

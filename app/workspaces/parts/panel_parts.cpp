@@ -46,16 +46,21 @@ QVBoxLayout* makePanelColumn(QWidget* panel) {
 QVBoxLayout* makeScrollingColumn(QWidget* panel) {
     auto* outer = new QVBoxLayout(panel);
     outer->setContentsMargins(0, 0, 0, 0);
-    auto* scroll = new QScrollArea(panel);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    auto* content = new QWidget(scroll);
+    auto* content = new QWidget(panel);
     QVBoxLayout* column = makePanelColumn(content);
-    scroll->setWidget(content);
+    QScrollArea* scroll = makeScrollArea(content);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     outer->addWidget(scroll, 1); // all that rows below it, as a message, do not need
     return column;
+}
+
+QScrollArea* makeScrollArea(QWidget* content) {
+    auto* scroll = new QScrollArea;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(content);
+    return scroll;
 }
 
 QVBoxLayout* addSection(QBoxLayout* column, const QString& title, QWidget* parent) {

@@ -7,6 +7,7 @@
 class QBoxLayout;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QVBoxLayout;
 class QWidget;
 
@@ -42,6 +43,9 @@ QVBoxLayout* makePanelColumn(QWidget* panel);
 
 /// The same for a panel that may be taller than its place: it scrolls up and down, never sideways.
 QVBoxLayout* makeScrollingColumn(QWidget* panel);
+
+/// Scrolls a part that may be taller than its place, without a frame; the focus stays with its controls.
+QScrollArea* makeScrollArea(QWidget* content);
 
 /// A titled part of a panel; returns the layout to fill.
 QVBoxLayout* addSection(QBoxLayout* column, const QString& title, QWidget* parent);

@@ -1,121 +1,221 @@
 #include "app/workspaces/tune/tune_panel.h"
 
-#include "app/procedures/tune/position_law_parameters.h"
-#include "app/tuning/loop_conditions.h"
+#include "app/procedures/tune/loop_verdict.h"
+#include "app/workbench/document_files.h"
 #include "app/workspaces/parts/foreign_motor_notice.h"
-#include "app/workspaces/parts/page_chooser.h"
+#include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/parts/preflight.h"
+#include "app/workspaces/parts/quality_view.h"
+#include "app/workspaces/tune/apply_controls.h"
 #include "app/workspaces/tune/axis_tune_panel.h"
-#include "app/workspaces/tune/loop/design_names.h"
-#include "app/workspaces/tune/loop/filter_editor.h"
-#include "app/workspaces/tune/loop/gain_editor.h"
-#include "app/workspaces/tune/loop/tune_form.h"
+#include "app/workspaces/tune/design_comparison.h"
+#include "app/workspaces/tune/gain_decision.h"
+#include "app/workspaces/tune/gain_files.h"
+#include "app/workspaces/tune/gain_settings.h"
+#include "app/workspaces/tune/loop/loop_view.h"
+#include "app/workspaces/tune/loop_shaping.h"
+#include "app/workspaces/tune/measured_overlay.h"
+#include "app/workspaces/tune/prediction_pages.h"
+#include "app/workspaces/tune/settings_splitter.h"
+#include "app/workspaces/tune/tune_numbers.h"
+#include "app/workspaces/tune/tune_session.h"
+#include "app/workspaces/tune/verification_page.h"
+#include "app/workspaces/tune/what_if_page.h"
+#include "app/workspaces/tune/what_if_recording.h"
 #include "widgets/controls/empty_state.h"
 #include "widgets/controls/estimate_table.h"
 #include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
-#include "widgets/controls/progress_row.h"
+#include "widgets/controls/verdict_view.h"
+#include "widgets/figure/figure_view.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/language/unbroken.h"
 #include "widgets/theme/theme_style.h"
 
-#include <QCheckBox>
+#include <QAction>
 #include <QEvent>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QPushButton>
 #include <QScrollArea>
-#include <QSplitter>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace halbench::app {
 namespace {
 
 enum Page { EmptyPage, WorkPage };
 
-/// Whose presets and surroundings count while no device is connected.
-constexpr const char* DefaultModel = "htm";
-
-bool isOfHistory(const QKeyEvent& key) {
-    return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
-}
-
-std::string modelOf(const DeviceSession& session) {
-    return session.state() == SessionState::Connected ? session.info().model : DefaultModel;
+/// A verdict that rests on an assumption or is near the limit of stability says so and does not look good. Of
+/// another motor than the one that is connected, it is doubtful before everything else.
+void showVerdict(widgets::VerdictView& view, const TuneResult& proposed,
+                 const std::optional<Finding>& foreign) {
+    std::vector<Finding> warnings = proposed.warnings;
+    Verdict verdict = proposed.quality.verdict;
+    if (foreign) {
+        warnings.insert(warnings.begin(), *foreign);
+        verdict = verdict == Verdict::Good ? Verdict::Doubtful : verdict;
+    }
+    const bool isLimited =
+        verdict == Verdict::Good && (restsOnAssumption(warnings) || isNearStabilityLimit(warnings));
+    view.setVerdict(isLimited ? widgets::VerdictLevel::Doubtful : verdictLevel(verdict),
+                    widgets::inWords(loopVerdict(verdict, warnings, true)), remarksOf(warnings));
 }
 
 } // namespace
 
 TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     : QWidget(parent), m_bench(bench), m_pages(new QStackedWidget(this)),
-      m_empty(new widgets::EmptyState(m_pages)), m_message(new widgets::MessageBar(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(widgets::PanelMargin_px, widgets::PanelMargin_px, widgets::PanelMargin_px,
-                               widgets::PanelMargin_px);
-    column->setSpacing(widgets::PanelMargin_px);
+      m_empty(new widgets::EmptyState(m_pages)), m_message(new widgets::MessageBar(this)),
+      m_messages(*m_message), m_session(new TuneSession(bench, this)) {
+    QVBoxLayout* column = makePanelColumn(this);
     column->addWidget(m_pages, 1);
-    m_splitter = new QSplitter(Qt::Horizontal, m_pages);
-    m_splitter->setChildrenCollapsible(false);
-    m_splitter->installEventFilter(this);
-    connect(m_splitter, &QSplitter::splitterMoved, this, [this] { m_isWidthChosen = true; });
+    createParts();
     QWidget* settings = buildSettings();
     settings->setMinimumWidth(45 * fontMetrics().averageCharWidth());
-    m_splitter->addWidget(settings);
-    m_splitter->addWidget(buildFigures());
     m_pages->addWidget(m_empty);
-    m_pages->addWidget(m_splitter);
+    m_pages->addWidget(new SettingsSplitter(settings, m_predictions, m_pages));
     (new widgets::FloatingRows(*m_pages, Qt::TopEdge, this))->addRow(*m_message);
-    connectParts();
+    connectSession();
+    connectGains();
+    connectDecision();
+    connectPages();
+    connectBench();
     readConditions();
     onUnits();
 }
 
-void TunePanel::connectParts() {
-    connect(m_empty, &widgets::EmptyState::actionTriggered, this, &TunePanel::identifyRequested);
-    connectDesigns();
-    createHistory();
-    connectShaping();
-    connect(m_form, &TuneForm::chosen, this, [this] {
-        m_shaping.reset(); // a step of before that still waits does not come after it
-        forgetRestored();
-        recordChoice();
-        ask();
+/// Each part needs only those before it.
+void TunePanel::createParts() {
+    m_predictions = new PredictionPages(m_bench, *m_session);
+    m_verification = new VerificationPage(m_bench, *m_session, m_predictions);
+    m_whatIf = new WhatIfPage(m_bench, m_predictions);
+    m_predictions->addPages({m_verification, m_whatIf});
+    m_predictions->setPageEnabled(m_verification, false);
+    m_designs = new DesignComparison(m_bench, *m_session, m_predictions->designs(), this);
+    m_decision = new GainDecision(m_bench, *m_session, *m_designs, m_messages, this);
+    m_recording = new WhatIfRecording(m_bench, *m_session, m_messages, *m_whatIf, this);
+}
+
+QWidget* TunePanel::buildSettings() {
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, widgets::PanelMargin_px, 0);
+    column->setSpacing(widgets::GroupSpacing_px);
+    m_model = new QLabel(page);
+    m_model->setWordWrap(true);
+    m_gains = new GainSettings(m_bench, *m_session, m_messages, page);
+    m_shaping = new LoopShaping(m_bench, *m_session, *m_gains, m_predictions->loop(), this);
+    m_verdict = new widgets::VerdictView(page);
+    m_verdict->setObjectName(QStringLiteral("design"));
+    auto* preflight = new Preflight(m_bench, page);
+    auto* foreign = new ForeignMotorNotice(m_bench, page);
+    column->addWidget(m_model);
+    column->addWidget(m_gains);
+    m_verdict->moveRemarks(*column); // its title stays in sight
+    column->addWidget(preflight);
+    column->addWidget(foreign);
+    column->addStretch(1);
+    m_controls = new ApplyControls(m_bench, *m_session, *m_decision, *preflight, *foreign);
+    m_gainFiles = new GainFiles(m_bench, *m_session, m_controls);
+    m_controls->addTool(*m_gainFiles);
+    auto* settings = new QWidget;
+    auto* all = new QVBoxLayout(settings);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(widgets::PanelMargin_px);
+    all->addWidget(makeScrollArea(page), 1);
+    all->addWidget(m_verdict);
+    all->addWidget(m_controls); // what is decided stays in sight, however far the rest is scrolled
+    return settings;
+}
+
+void TunePanel::connectSession() {
+    connect(m_session, &TuneSession::sketched, this, &TunePanel::showSketch);
+    connect(m_session, &TuneSession::judged, this, &TunePanel::showAnswer);
+    connect(m_session, &TuneSession::refused, this, &TunePanel::showProblem);
+    connect(m_session, &TuneSession::refreshed, this, &TunePanel::drawPredictions);
+}
+
+void TunePanel::connectGains() {
+    addActions(historyActions());
+    connect(m_gains, &GainSettings::changed, this, &TunePanel::ask);
+    connect(m_gains, &GainSettings::recorded, this, [this] {
+        if (!m_decision->isUndecided()) { // else its message tells of the decision
+            m_messages.clearOfDevice();
+        }
     });
-    connect(m_gains, &GainEditor::edited, this, [this] {
-        m_shaping.reset();
-        forgetRestored();
-        m_form->setEdited();
-        recordEdit();
-        ask();
+    connect(m_shaping, &LoopShaping::moved, this, &TunePanel::ask);
+    connect(m_shaping, &LoopShaping::released, this, &TunePanel::onReleased);
+    connect(m_designs, &DesignComparison::shown, this, &TunePanel::drawPredictions);
+    connect(m_designs, &DesignComparison::takenUp, this,
+            [this](const LoopLaw& law, const QString& name) { m_gains->take(law, tr("Use %1").arg(name)); });
+    connect(m_gainFiles, &GainFiles::opened, this, [this](const LoopLaw& law, const QString& fileName) {
+        m_gains->take(law, tr("Open %1").arg(fileName));
     });
-    connect(m_preflight, &Preflight::changed, this, &TunePanel::refreshButtons);
-    connect(m_foreign, &ForeignMotorNotice::changed, this, &TunePanel::refreshButtons);
-    connect(m_apply, &QPushButton::clicked, this, &TunePanel::apply);
-    connect(m_inSteps, &QCheckBox::toggled, this, [this] {
-        refreshOutlook();
-        refreshButtons();
+    const auto showMessage = [this](const widgets::Message& message) { m_messages.show(message); };
+    const auto showError = [this](const Error& error) { m_messages.showError(error); };
+    connect(m_gainFiles, &GainFiles::told, this, showMessage);
+    connect(m_gainFiles, &GainFiles::failed, this, showError);
+    connect(m_designs, &DesignComparison::failed, this, showError);
+    connect(&m_predictions->measured(), &MeasuredOverlay::used, this, showMessage);
+    connect(&m_predictions->measured(), &MeasuredOverlay::failed, this, showError);
+}
+
+void TunePanel::connectDecision() {
+    connect(m_decision, &GainDecision::started, this, [this](const LoopLaw& law) {
+        m_messages.clear();
+        m_messages.clearOfDevice();
+        m_verification->expect(law);
     });
-    connect(m_keep, &QPushButton::clicked, this, &TunePanel::keep);
-    connect(m_restore, &QPushButton::clicked, this, &TunePanel::restore);
-    connect(m_save, &QToolButton::clicked, this, &TunePanel::saveGains);
-    connect(m_open, &QToolButton::clicked, this, &TunePanel::openGains);
-    connect(m_measure, &QPushButton::clicked, this, &TunePanel::chooseMeasured);
-    connectWhatIf();
-    m_decision.setSingleShot(true);
-    connect(&m_decision, &QTimer::timeout, this, [this] {
-        refreshButtons();
-        if (m_figures->isAncestorOf(focusWidget())) { // else it went elsewhere meanwhile
+    connect(m_decision, &GainDecision::verified, m_verification, &VerificationPage::showMove);
+    connect(m_decision, &GainDecision::restored, m_verification, &VerificationPage::setUndone);
+    connect(m_decision, &GainDecision::changed, this, &TunePanel::refresh);
+    connect(m_decision, &GainDecision::settled, this, &TunePanel::focusNext);
+    connect(m_decision, &GainDecision::looked, this, [this] {
+        if (m_predictions->isAncestorOf(focusWidget())) { // else it went elsewhere meanwhile
             focusNext();
         }
     });
-    connect(m_progress, &widgets::ProgressRow::cancelRequested, &m_bench.session(),
-            &DeviceSession::abortProcedure);
+    // The gains on the device are those to compare with from now on.
+    connect(m_decision, &GainDecision::kept, this, &TunePanel::readConditions);
+    connect(m_decision, &GainDecision::left, this, &TunePanel::gainsLeft);
+}
+
+void TunePanel::connectPages() {
+    connect(m_empty, &widgets::EmptyState::actionTriggered, this, &TunePanel::identifyRequested);
+    connect(&m_predictions->loop(), &LoopView::loopsWanted, this, &TunePanel::drawPredictions);
+    connect(&m_predictions->measured(), &MeasuredOverlay::changed, this, &TunePanel::drawPredictions);
+    connect(m_verification, &VerificationPage::recordReady, this, &TunePanel::ask);
+    connect(m_verification, &VerificationPage::shown, this, [this] {
+        m_predictions->setPageEnabled(m_verification, true);
+        m_predictions->setCurrent(m_verification);
+    });
+    connect(m_verification, &VerificationPage::forgotten, this, [this] {
+        if (!m_verification->isHidden()) { // else another picture is chosen
+            m_predictions->setCurrent(&m_predictions->loop());
+        }
+        m_predictions->setPageEnabled(m_verification, false);
+    });
+    connect(m_message, &widgets::MessageBar::actionTriggered, m_recording, &WhatIfRecording::chooseGains);
+    connect(m_recording, &WhatIfRecording::used, this, [this] {
+        proposeToWhatIf();
+        m_predictions->setCurrent(m_whatIf);
+    });
+    std::vector<widgets::FigureView*> pictures = m_predictions->pictures();
+    pictures.insert(pictures.end(), {&m_verification->picture(), &m_whatIf->picture()});
+    for (widgets::FigureView* view : pictures) {
+        connect(view, &widgets::FigureView::exportRequested, this, [this, view] {
+            savePicture(this, m_chooser, QStringLiteral("tuning.svg"), m_files, *view,
+                        [this](const Error& error) { m_messages.showError(error); });
+        });
+    }
+}
+
+void TunePanel::connectBench() {
     connect(&m_bench, &Workbench::identificationChanged, this, [this] {
         forgetVerification(); // it was predicted for the motor as it was
         refreshModel();
-        restartHistory();
+        m_gains->restartHistory();
     });
     connect(&m_bench, &Workbench::valuesChanged, this, &TunePanel::readConditions);
     connect(&m_bench, &Workbench::strayIntervalChanged, this, &TunePanel::ask);
@@ -126,35 +226,86 @@ void TunePanel::connectParts() {
             forgetVerification(); // it came back with other values: nothing is known of how it moves
         }
     });
-    connect(&m_bench.session(), &DeviceSession::procedureChanged, this, &TunePanel::refreshButtons);
-    connect(&m_bench.session(), &DeviceSession::reportChanged, this, &TunePanel::refreshButtons); // armed?
-    connect(&m_bench.session(), &DeviceSession::procedureProgress, this,
-            [this](double fraction, const QString& text) {
-                if (m_isApplying) {
-                    m_progress->setText(tr("Verification: %1").arg(widgets::inWords(text)));
-                    m_progress->setProgress(fraction);
-                }
-            });
 }
 
-/// What was applied, measured and said is of one device: of the one that is connected, looked for, or held
-/// while a recording is open.
-void TunePanel::onDevice() {
-    const DeviceSession& session = m_bench.session();
-    const std::uint64_t device = session.state() == SessionState::Lost ? 0 : session.deviceNumber();
-    if (std::exchange(m_deviceNumber, device) != device) {
-        m_before.clear(); // nothing of another one was replaced
-        if (m_axes != nullptr) {
-            m_axes->useMeasured({});
-        }
-        leaveGains();
-        forgetVerification();
+void TunePanel::setFileChooser(FileChooser chooser) {
+    m_chooser = std::move(chooser);
+    m_gainFiles->setFileChooser(m_chooser);
+    m_predictions->measured().setFileChooser(m_chooser);
+    m_recording->setFileChooser(m_chooser);
+    if (m_axes != nullptr) {
+        m_axes->setFileChooser(m_chooser);
     }
-    refreshEmpty();
+}
+
+bool TunePanel::isComputing() const {
+    return m_session->isComputing();
+}
+
+void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
+    m_shaping->drop();
+    forgetVerification(); // of the project before
+    m_predictions->measured().forget();
+    m_whatIf->forget();
+    m_gains->restore(std::move(gains));
+    ask();
+}
+
+void TunePanel::setSavedDesigns(std::vector<KeptDesign> designs) {
+    m_designs->restore(std::move(designs));
+}
+
+void TunePanel::adoptDesign(const std::string& name, std::string document) {
+    m_designs->adopt(name, std::move(document));
+}
+
+const std::vector<KeptDesign>& TunePanel::savedDesigns() const {
+    return m_designs->all();
+}
+
+void TunePanel::takeUpDesign(const std::string& name) {
+    m_designs->takeUp(name);
+}
+
+void TunePanel::useMeasured(const MeasuredPlant& plant) {
+    m_predictions->measured().use(plant);
+}
+
+void TunePanel::useRecording(const QString& path) {
+    m_recording->use(path);
+}
+
+void TunePanel::useUltimate(double gain_A_per_rad, double period_s) {
+    control::DesignTargets targets;
+    targets.ultimateGain_A_per_rad = gain_A_per_rad;
+    targets.ultimatePeriod_s = period_s;
+    m_gains->choose("ziegler-nichols", targets);
+}
+
+void TunePanel::useAxisModel(const AxisModelFile& model) {
+    axisPanel().setModel(model);
     showPage();
-    refreshOutlook(); // of its limits
-    readConditions();
-    ask(); // its presets may be others
+}
+
+void TunePanel::useMeasuredAxes(const AxesFrequencyResult& response) {
+    axisPanel().useMeasured(measuredPlants(response));
+}
+
+void TunePanel::onSavedInDevice() {
+    m_decision->onSavedInDevice();
+}
+
+QList<QAction*> TunePanel::historyActions() const {
+    return {&m_gains->history().undo(), &m_gains->history().redo()};
+}
+
+AxisTunePanel& TunePanel::axisPanel() {
+    if (m_axes == nullptr) {
+        m_axes = new AxisTunePanel(m_bench, m_pages);
+        m_axes->setFileChooser(m_chooser);
+        m_pages->addWidget(m_axes);
+    }
+    return *m_axes;
 }
 
 /// One loop or several, by the device; without an identification there is nothing to tune.
@@ -168,47 +319,57 @@ void TunePanel::showPage() {
     }
 }
 
-void TunePanel::useAxisModel(const AxisModelFile& model) {
-    axisPanel().setModel(model);
-    showPage();
-}
-
-AxisTunePanel& TunePanel::axisPanel() {
-    if (m_axes == nullptr) {
-        m_axes = new AxisTunePanel(m_bench, m_pages);
-        m_axes->setFileChooser(m_chooser);
-        m_pages->addWidget(m_axes);
+/// What was applied, measured and said is of one device: of the one that is connected, looked for, or held
+/// while a recording is open.
+void TunePanel::onDevice() {
+    if (m_decision->leaveDevice()) {
+        if (m_axes != nullptr) {
+            m_axes->useMeasured({});
+        }
+        forgetVerification();
     }
-    return *m_axes;
+    refreshEmpty();
+    showPage();
+    m_controls->refreshOutlook(); // of its limits
+    readConditions();
+    ask(); // its presets may be others
 }
 
-void TunePanel::useMeasuredAxes(const AxesFrequencyResult& response) {
-    axisPanel().useMeasured(measuredPlants(response));
+/// Asks anew only when the surroundings or the gains on the device changed: many values are read often.
+void TunePanel::readConditions() {
+    if (m_decision->isApplying()) {
+        return; // what is written now is decided when it is verified
+    }
+    m_gains->refreshModel();
+    if (m_session->readConditions(m_decision->valuesBefore()) || m_gains->isOfDevice()) {
+        ask();
+    }
 }
 
 void TunePanel::refreshModel() {
-    const auto& identification = m_bench.identification();
     showPage();
     if (m_bench.provenance().origin != ResultOrigin::Project) {
-        forgetRestored(); // they were for another motor
+        m_gains->forgetRestored(); // they were for another motor
     }
-    m_shown.reset(); // it was proposed for the motor before
-    m_shaping.reset();
-    forgetJudgements();
-    if (!identification) {
-        m_sketch.reset();
-        m_asked.reset();
-        m_rest.stop();
-        m_sketching.cancel();
-        m_judging.cancel();
-        m_spreading.cancel();
-        showShape();
-        refreshButtons();
+    m_session->forgetProposed(); // it was for the motor before
+    m_shaping->drop();
+    m_designs->judgeAnew();
+    if (!m_bench.identification()) {
+        m_session->forget();
+        m_shaping->showLoop();
+        refresh();
         return;
     }
+    m_model->setText(motorText());
+    readConditions(); // without a device they are those of the model
+    ask();
+}
+
+QString TunePanel::motorText() const {
     const auto words = [&](const char* ratio, const QString& symbol) {
-        const auto found = identification->ratios.find(ratio);
-        if (found == identification->ratios.end() || !found->second.value) {
+        const auto& ratios = m_bench.identification()->ratios;
+        const auto found = ratios.find(ratio);
+        if (found == ratios.end() || !found->second.value) {
             return QString();
         }
         const auto& interval = found->second.interval95;
@@ -219,193 +380,144 @@ void TunePanel::refreshModel() {
     QStringList parts = {words("c_over_J", "c/J"), words("phi_over_J", "\u03c6/J"),
                          words("Kf_over_phi", "K_f/\u03c6")};
     parts.removeAll({});
-    m_model->setText(tr("Motor (SI, 95 %): %1").arg(parts.join(QStringLiteral(", "))));
-    readConditions(); // without a device they are those of the model
-    ask();
-}
-
-/// Asks anew only when the surroundings or the gains on the device changed: many values are read often.
-void TunePanel::readConditions() {
-    if (m_isApplying) {
-        return; // what is written now is decided when it is verified
-    }
-    DeviceSession& session = m_bench.session();
-    m_form->setModel(modelOf(session));
-    LoopConditions conditions = m_conditions;
-    if (session.state() == SessionState::Connected) {
-        conditions = loopConditionsOf(session.catalogue(), m_bench.deviceValues());
-    } else if (const auto known = loopConditionsOf(DefaultModel)) {
-        conditions = *known;
-        const auto& identification = m_bench.identification();
-        conditions.timing =
-            timingOr(identification ? identification->timing : MeasuredTiming{}, conditions.timing);
-    }
-    const auto present = loopLawFromParameters(valuesBefore(), conditions.timing.period_s);
-    const auto law = present ? std::optional(*present) : std::nullopt;
-    if (conditions != m_conditions || law != m_presentLaw || m_form->origin() == TuneForm::Origin::Device) {
-        const bool isElsewhere = conditions != m_conditions;
-        m_conditions = conditions;
-        m_presentLaw = law;
-        if (isElsewhere) {
-            forgetJudgements();
-        }
-        ask();
-    }
-}
-
-/// What runs on the device, or ran there before an apply that is not decided yet.
-std::map<std::string, double> TunePanel::valuesBefore() const {
-    std::map<std::string, double> values = m_bench.deviceValues();
-    for (const ParameterValue& old : m_before) {
-        values[old.name] = old.value;
-    }
-    return values;
-}
-
-/// Where no method designs it.
-Result<LoopLaw> TunePanel::chosenLaw() const {
-    if (m_form->origin() == TuneForm::Origin::Edited) {
-        return editedLaw();
-    }
-    if (m_form->origin() == TuneForm::Origin::Device) {
-        return loopLawFromParameters(m_bench.deviceValues(), m_conditions.timing.period_s);
-    }
-    const auto law = presetLaw(modelOf(m_bench.session()), m_form->method());
-    return law ? Result<LoopLaw>(*law) : failure(law.error());
-}
-
-std::optional<TuneQuestion> TunePanel::question() {
-    TuneQuestion question;
-    question.motor = motorEstimate(*m_bench.identification());
-    question.config.method = m_form->method();
-    question.config.conditions = m_conditions;
-    if (m_bench.session().state() == SessionState::Connected && !m_bench.deviceValues().empty()) {
-        if (const auto fits = checkTimingOfModel(question.motor.timing, m_conditions.timing); !fits) {
-            showProblem(fits.error());
-            return std::nullopt;
-        }
-    }
-    takeStrayInterval(question.config.conditions, m_bench.strayInterval95_T_per_A());
-    question.config.conditions.doubts = m_bench.calibrationDoubts();
-    question.present = m_presentLaw;
-    question.record = m_record;
-    question.known = m_steady;
-    if (m_restored) {
-        question.config.method = m_restored->method;
-        question.config.targets = m_restored->targets;
-        question.law = m_restored->loopLaw();
-        return question;
-    }
-    const auto targets = m_form->targets();
-    if (!targets) {
-        showProblem(targets.error());
-        return std::nullopt;
-    }
-    question.config.targets = *targets;
-    if (m_form->origin() == TuneForm::Origin::Method) {
-        return question;
-    }
-    const auto law = chosenLaw();
-    if (!law) {
-        showProblem(law.error());
-        return std::nullopt;
-    }
-    question.law = *law;
-    return question;
+    return tr("Motor (SI, 95 %): %1").arg(parts.join(QStringLiteral(", ")));
 }
 
 void TunePanel::ask() {
-    if (!m_bench.identification()) {
-        return;
-    }
-    m_problem.reset();
-    m_shown.reset(); // nothing is applied that its prediction has not caught up with
-    m_rest.stop();
-    m_sketching.cancel();
-    m_judging.cancel(); // answers to older numbers must not come after a number that is none
-    m_spreading.cancel();
-    m_replaying.cancel();
-    m_whatIfSpread.reset();
-    m_asked = question();
-    if (m_asked) {
-        m_sketching.run([asked = *m_asked] { return sketchTuning(asked); },
-                        [this](Result<TuneSketch> sketch) { showSketch(std::move(sketch)); });
-    }
-    refreshButtons();
-}
-
-/// After the sketch: what can be applied must not come before the gains and curves it belongs to are seen.
-void TunePanel::judge() {
-    m_rest.stop();
-    if (!m_asked) {
-        return;
-    }
-    m_judging.run(
-        [asked = *m_asked] {
-            auto answer = answerTuning(asked);
-            const auto loop = answer ? judgeLoop(asked.motor, answer->law, asked.config.conditions)
-                                     : failure(answer.error());
-            return Answer(std::move(answer), loop ? loop->bandwidth_rad_s : std::nullopt);
-        },
-        [this](const Answer& answer) { showAnswer(answer.first, answer.second); });
-}
-
-void TunePanel::restoreDesign(std::optional<GainsFile> gains) {
-    m_shaping.reset();
-    forgetRestored();
-    forgetVerification(); // of the project before
-    forgetMeasured();
-    forgetRecording();
-    m_restored = std::move(gains);
-    const GainsFile shown = m_restored.value_or(GainsFile{});
-    m_form->showChoice(m_restored ? shown.method : TuneConfig().method, shown.targets);
-    if (m_restored) {
-        m_gains->setLaw(shown.law);
-        m_filters->setShaping(shown.filtered);
-        m_message->showMessage({widgets::Severity::Information,
-                                tr("Gains from the project: %1.").arg(designTitle(shown.method)),
-                                tr("Choose a method to design new gains for the present motor model."),
-                                {}});
-    }
-    restartHistory();
-    ask();
-}
-
-void TunePanel::forgetRestored() {
-    if (m_restored) {
-        m_restored.reset();
-        m_message->clear();
+    if (m_bench.identification()) {
+        m_verification->cancelReplay();
+        m_session->ask(m_gains->source(), m_verification->record());
+        refresh();
     }
 }
 
-/// The settings keep their smallest width, the pictures get the rest: enough for two where there is room.
-void TunePanel::shareWidth() {
-    if (!m_isWidthChosen) {
-        m_splitter->setSizes({m_splitter->widget(0)->minimumWidth(), m_splitter->width()});
+void TunePanel::showSketch() {
+    m_gains->showLaw(m_session->sketch()->loopLaw());
+    drawPredictions();
+    m_verification->drawIfVisible(); // what if its move had been made with these gains
+    proposeToWhatIf();
+    m_shaping->showLoop();
+    m_shaping->takeWaiting();
+}
+
+void TunePanel::showAnswer() {
+    const TuneResult& proposed = *m_session->proposed();
+    m_predictions->showNumbers();
+    m_predictions->drawDisturbance();
+    const DeviceSession& session = m_bench.session();
+    showVerdict(*m_verdict, proposed,
+                session.state() == SessionState::Connected
+                    ? foreignMotor(m_bench.provenance().header.device, session.info())
+                    : std::nullopt);
+    if (m_gains->restored()) {
+        m_bench.setDesignOfProject(proposed, m_gains->restored()->started);
+    } else {
+        m_bench.setDesign(proposed);
+    }
+    m_designs->show();
+    refresh();
+    m_verification->replay();
+}
+
+void TunePanel::showProblem() {
+    const Error& error = *m_session->problem();
+    m_verification->drawIfVisible();
+    proposeToWhatIf();
+    m_verdict->setVerdict(widgets::VerdictLevel::Refused, widgets::inWords(error.message),
+                          {{widgets::inWords(error.hint), {}}});
+    m_designs->show(); // what was proposed before is not proposed any more
+    refresh();
+}
+
+void TunePanel::onReleased() {
+    if (!m_session->isSketching()) {
+        drawPredictions(); // the axes may find their extent again
+        m_shaping->showLoop();
+    }
+    m_session->completeMove();
+    proposeToWhatIf();           // with its band
+    if (m_session->proposed()) { // else it follows the answer
+        m_verification->replay();
     }
 }
 
-/// Shared once the splitter has given its parts their places: whoever arranges docks has set its stretch.
-bool TunePanel::eventFilter(QObject* watched, QEvent* event) {
-    if (watched == m_splitter && event->type() == QEvent::Resize) {
-        QMetaObject::invokeMethod(this, &TunePanel::shareWidth, Qt::QueuedConnection);
-    } else if (m_verificationRoom != nullptr && watched == m_verificationRoom->viewport()) {
-        if (event->type() == QEvent::Resize) {
-            growVerification();
-        } else if (event->type() == QEvent::Show) {
-            drawVerification(); // the gains may be others by now
-        }
-    } else if (event->type() == QEvent::ShortcutOverride && isOfHistory(static_cast<QKeyEvent&>(*event))) {
-        event->ignore(); // else a number field takes the key for its own text
-        return true;
+void TunePanel::drawPredictions() {
+    m_predictions->draw(m_designs->drawnLoops());
+}
+
+void TunePanel::proposeToWhatIf() {
+    m_whatIf->propose(m_session->drawnLaw(), m_session->isMoving());
+}
+
+/// Neither verdict and picture nor what was said of a move holds any longer.
+void TunePanel::forgetVerification() {
+    m_verification->forget();
+    m_messages.clearOfDevice();
+}
+
+/// To decide is next; after that to choose other gains. Apply goes off while its prediction is asked anew.
+void TunePanel::focusNext() {
+    if (m_decision->isLooking()) {
+        m_predictions->focusCurrent();
+    } else if (m_decision->isUndecided()) {
+        m_controls->focusKeep();
+    } else {
+        m_gains->focusSource();
     }
-    return QWidget::eventFilter(watched, event);
+}
+
+void TunePanel::refresh() {
+    m_controls->refresh();
+    m_gainFiles->setCanSave(m_session->proposed().has_value());
+    m_predictions->numbers().setUndecided(m_decision->isUndecided());
+}
+
+/// Why there is nothing to tune, with the way out.
+void TunePanel::refreshEmpty() {
+    const DeviceSession& session = m_bench.session();
+    const std::size_t axes = session.catalogue().axes.size();
+    const bool isOther =
+        session.state() == SessionState::Connected && axes > 0 && !session.catalogue().hasProcedure("tune");
+    if (isOther) {
+        m_empty->setWords(tr("Tuning is not available for this device"),
+                          tr("%n control loop(s), no identification procedure. Edit the gains in Parameters "
+                             "and check them with a reference in Drive.",
+                             nullptr, static_cast<int>(axes)));
+    } else if (session.state() == SessionState::Connected && axes > 1) {
+        m_empty->setWords(tr("No axes to tune yet"),
+                          tr("Gains are designed for identified axes and verified by a step of each axis "
+                             "before they are kept."),
+                          tr("Identify the axes"));
+    } else {
+        m_empty->setWords(
+            tr("No motor to tune"),
+            tr("Gains are designed for an identified motor and verified by a move before they are kept."),
+            tr("Identify the motor"));
+    }
+}
+
+void TunePanel::refreshTexts() {
+    refreshEmpty();
+    m_empty->setIconName(QStringLiteral("settings"));
+    m_controls->refreshTexts();
+    m_predictions->refreshTexts();
+    m_predictions->setTitle(m_verification, tr("Verification"),
+                            tr("Measured move and prediction, after Apply and verify"));
+    m_predictions->setTitle(m_whatIf, tr("What-if"), tr("Replay of a recorded move with the proposed gains"));
+    m_verification->draw();
+    refreshModel();
+}
+
+void TunePanel::onUnits() {
+    m_gains->refreshUnits();
+    m_predictions->loop().setFrequencyUnit(m_bench.displayUnits().frequency);
+    refreshTexts(); // and every picture with them
 }
 
 void TunePanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
-        refreshWords();
+        refreshTexts();
     }
 }
 
