@@ -17235,6 +17235,25 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <translation>Motor (SI, 95 %): %1</translation>
     </message>
     <message>
+        <source>Verification</source>
+        <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>Measured move and prediction, after Apply and verify</source>
+        <translation>Gemessene Bewegung und Vorhersage, nach „Übernehmen, prüfen“</translation>
+    </message>
+    <message>
+        <source>What-if</source>
+        <translation>Was-wäre-wenn</translation>
+    </message>
+    <message>
+        <source>Replay of a recorded move with the proposed gains</source>
+        <translation>Wiedergabe einer aufgezeichneten Bewegung mit den vorgeschlagenen Reglerparametern</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::TunePages</name>
+    <message>
         <source>Tuning is not available for this device</source>
         <translation>Für dieses Gerät ist keine Reglereinstellung verfügbar</translation>
     </message>
@@ -17268,22 +17287,6 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>Identify the motor</source>
         <translation>Den Motor identifizieren</translation>
-    </message>
-    <message>
-        <source>Verification</source>
-        <translation>Nachweis</translation>
-    </message>
-    <message>
-        <source>Measured move and prediction, after Apply and verify</source>
-        <translation>Gemessene Bewegung und Vorhersage, nach „Übernehmen, prüfen“</translation>
-    </message>
-    <message>
-        <source>What-if</source>
-        <translation>Was-wäre-wenn</translation>
-    </message>
-    <message>
-        <source>Replay of a recorded move with the proposed gains</source>
-        <translation>Wiedergabe einer aufgezeichneten Bewegung mit den vorgeschlagenen Reglerparametern</translation>
     </message>
 </context>
 <context>

@@ -110,7 +110,7 @@
     </message>
 </context>
 <context>
-    <name>halbench::app::TunePanel</name>
+    <name>halbench::app::TunePages</name>
     <message numerus="yes">
         <source>%n control loop(s), no identification procedure. Edit the gains in Parameters and check them with a reference in Drive.</source>
         <translation>

@@ -17223,6 +17223,25 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <translation>电机（SI，95 %）：%1</translation>
     </message>
     <message>
+        <source>Verification</source>
+        <translation>验证</translation>
+    </message>
+    <message>
+        <source>Measured move and prediction, after Apply and verify</source>
+        <translation>实测运动与预测，在“应用并验证”之后</translation>
+    </message>
+    <message>
+        <source>What-if</source>
+        <translation>假设分析</translation>
+    </message>
+    <message>
+        <source>Replay of a recorded move with the proposed gains</source>
+        <translation>用建议的增益回放已记录的运动</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::TunePages</name>
+    <message>
         <source>Tuning is not available for this device</source>
         <translation>此设备不支持整定</translation>
     </message>
@@ -17255,22 +17274,6 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
     <message>
         <source>Identify the motor</source>
         <translation>辨识电机</translation>
-    </message>
-    <message>
-        <source>Verification</source>
-        <translation>验证</translation>
-    </message>
-    <message>
-        <source>Measured move and prediction, after Apply and verify</source>
-        <translation>实测运动与预测，在“应用并验证”之后</translation>
-    </message>
-    <message>
-        <source>What-if</source>
-        <translation>假设分析</translation>
-    </message>
-    <message>
-        <source>Replay of a recorded move with the proposed gains</source>
-        <translation>用建议的增益回放已记录的运动</translation>
     </message>
 </context>
 <context>

@@ -1,14 +1,12 @@
 #include "app/workspaces/tune/tune_panel.h"
 
-#include "app/procedures/tune/loop_verdict.h"
 #include "app/workbench/document_files.h"
 #include "app/workspaces/parts/foreign_motor_notice.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/parts/preflight.h"
-#include "app/workspaces/parts/quality_view.h"
 #include "app/workspaces/tune/apply_controls.h"
-#include "app/workspaces/tune/axis_tune_panel.h"
 #include "app/workspaces/tune/design_comparison.h"
+#include "app/workspaces/tune/design_verdict.h"
 #include "app/workspaces/tune/gain_decision.h"
 #include "app/workspaces/tune/gain_files.h"
 #include "app/workspaces/tune/gain_settings.h"
@@ -18,17 +16,16 @@
 #include "app/workspaces/tune/prediction_pages.h"
 #include "app/workspaces/tune/settings_splitter.h"
 #include "app/workspaces/tune/tune_numbers.h"
+#include "app/workspaces/tune/tune_pages.h"
 #include "app/workspaces/tune/tune_session.h"
 #include "app/workspaces/tune/verification_page.h"
 #include "app/workspaces/tune/what_if_page.h"
 #include "app/workspaces/tune/what_if_recording.h"
-#include "widgets/controls/empty_state.h"
 #include "widgets/controls/estimate_table.h"
 #include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/verdict_view.h"
 #include "widgets/figure/figure_view.h"
-#include "widgets/language/phrasebook.h"
 #include "widgets/language/unbroken.h"
 #include "widgets/theme/theme_style.h"
 
@@ -36,45 +33,22 @@
 #include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 #include <utility>
 
 namespace halbench::app {
-namespace {
-
-enum Page { EmptyPage, WorkPage };
-
-/// A verdict that rests on an assumption or is near the limit of stability says so and does not look good. Of
-/// another motor than the one that is connected, it is doubtful before everything else.
-void showVerdict(widgets::VerdictView& view, const TuneResult& proposed,
-                 const std::optional<Finding>& foreign) {
-    std::vector<Finding> warnings = proposed.warnings;
-    Verdict verdict = proposed.quality.verdict;
-    if (foreign) {
-        warnings.insert(warnings.begin(), *foreign);
-        verdict = verdict == Verdict::Good ? Verdict::Doubtful : verdict;
-    }
-    const bool isLimited =
-        verdict == Verdict::Good && (restsOnAssumption(warnings) || isNearStabilityLimit(warnings));
-    view.setVerdict(isLimited ? widgets::VerdictLevel::Doubtful : verdictLevel(verdict),
-                    widgets::inWords(loopVerdict(verdict, warnings, true)), remarksOf(warnings));
-}
-
-} // namespace
 
 TunePanel::TunePanel(Workbench& bench, QWidget* parent)
-    : QWidget(parent), m_bench(bench), m_pages(new QStackedWidget(this)),
-      m_empty(new widgets::EmptyState(m_pages)), m_message(new widgets::MessageBar(this)),
-      m_messages(*m_message), m_session(new TuneSession(bench, this)) {
+    : QWidget(parent), m_bench(bench), m_pages(new TunePages(bench, this)),
+      m_message(new widgets::MessageBar(this)), m_messages(*m_message),
+      m_session(new TuneSession(bench, this)) {
     QVBoxLayout* column = makePanelColumn(this);
     column->addWidget(m_pages, 1);
     createParts();
     QWidget* settings = buildSettings();
     settings->setMinimumWidth(45 * fontMetrics().averageCharWidth());
-    m_pages->addWidget(m_empty);
-    m_pages->addWidget(new SettingsSplitter(settings, m_predictions, m_pages));
+    m_pages->setLoopPage(new SettingsSplitter(settings, m_predictions, m_pages));
     (new widgets::FloatingRows(*m_pages, Qt::TopEdge, this))->addRow(*m_message);
     connectSession();
     connectGains();
@@ -182,7 +156,7 @@ void TunePanel::connectDecision() {
 }
 
 void TunePanel::connectPages() {
-    connect(m_empty, &widgets::EmptyState::actionTriggered, this, &TunePanel::identifyRequested);
+    connect(m_pages, &TunePages::identifyRequested, this, &TunePanel::identifyRequested);
     connect(&m_predictions->loop(), &LoopView::loopsWanted, this, &TunePanel::drawPredictions);
     connect(&m_predictions->measured(), &MeasuredOverlay::changed, this, &TunePanel::drawPredictions);
     connect(m_verification, &VerificationPage::recordReady, this, &TunePanel::ask);
@@ -233,9 +207,7 @@ void TunePanel::setFileChooser(FileChooser chooser) {
     m_gainFiles->setFileChooser(m_chooser);
     m_predictions->measured().setFileChooser(m_chooser);
     m_recording->setFileChooser(m_chooser);
-    if (m_axes != nullptr) {
-        m_axes->setFileChooser(m_chooser);
-    }
+    m_pages->setFileChooser(m_chooser);
 }
 
 bool TunePanel::isComputing() const {
@@ -283,12 +255,11 @@ void TunePanel::useUltimate(double gain_A_per_rad, double period_s) {
 }
 
 void TunePanel::useAxisModel(const AxisModelFile& model) {
-    axisPanel().setModel(model);
-    showPage();
+    m_pages->useAxisModel(model);
 }
 
 void TunePanel::useMeasuredAxes(const AxesFrequencyResult& response) {
-    axisPanel().useMeasured(measuredPlants(response));
+    m_pages->useMeasuredAxes(response);
 }
 
 void TunePanel::onSavedInDevice() {
@@ -299,37 +270,15 @@ QList<QAction*> TunePanel::historyActions() const {
     return {&m_gains->history().undo(), &m_gains->history().redo()};
 }
 
-AxisTunePanel& TunePanel::axisPanel() {
-    if (m_axes == nullptr) {
-        m_axes = new AxisTunePanel(m_bench, m_pages);
-        m_axes->setFileChooser(m_chooser);
-        m_pages->addWidget(m_axes);
-    }
-    return *m_axes;
-}
-
-/// One loop or several, by the device; without an identification there is nothing to tune.
-void TunePanel::showPage() {
-    const bool areSeveral =
-        m_bench.session().state() == SessionState::Connected && m_bench.session().catalogue().axes.size() > 1;
-    if (areSeveral && m_axes != nullptr && m_axes->isFor(m_bench.session().info().model)) {
-        m_pages->setCurrentWidget(m_axes);
-    } else {
-        m_pages->setCurrentIndex(m_bench.identification() && !areSeveral ? WorkPage : EmptyPage);
-    }
-}
-
 /// What was applied, measured and said is of one device: of the one that is connected, looked for, or held
 /// while a recording is open.
 void TunePanel::onDevice() {
     if (m_decision->leaveDevice()) {
-        if (m_axes != nullptr) {
-            m_axes->useMeasured({});
-        }
+        m_pages->forgetMeasuredAxes();
         forgetVerification();
     }
-    refreshEmpty();
-    showPage();
+    m_pages->refreshTexts();
+    m_pages->showPage();
     m_controls->refreshOutlook(); // of its limits
     readConditions();
     ask(); // its presets may be others
@@ -347,7 +296,7 @@ void TunePanel::readConditions() {
 }
 
 void TunePanel::refreshModel() {
-    showPage();
+    m_pages->showPage();
     if (m_bench.provenance().origin != ResultOrigin::Project) {
         m_gains->forgetRestored(); // they were for another motor
     }
@@ -405,10 +354,10 @@ void TunePanel::showAnswer() {
     m_predictions->showNumbers();
     m_predictions->drawDisturbance();
     const DeviceSession& session = m_bench.session();
-    showVerdict(*m_verdict, proposed,
-                session.state() == SessionState::Connected
-                    ? foreignMotor(m_bench.provenance().header.device, session.info())
-                    : std::nullopt);
+    showDesignVerdict(*m_verdict, proposed,
+                      session.state() == SessionState::Connected
+                          ? foreignMotor(m_bench.provenance().header.device, session.info())
+                          : std::nullopt);
     if (m_gains->restored()) {
         m_bench.setDesignOfProject(proposed, m_gains->restored()->started);
     } else {
@@ -420,11 +369,9 @@ void TunePanel::showAnswer() {
 }
 
 void TunePanel::showProblem() {
-    const Error& error = *m_session->problem();
     m_verification->drawIfVisible();
     proposeToWhatIf();
-    m_verdict->setVerdict(widgets::VerdictLevel::Refused, widgets::inWords(error.message),
-                          {{widgets::inWords(error.hint), {}}});
+    showDesignProblem(*m_verdict, *m_session->problem());
     m_designs->show(); // what was proposed before is not proposed any more
     refresh();
 }
@@ -472,33 +419,8 @@ void TunePanel::refresh() {
     m_predictions->numbers().setUndecided(m_decision->isUndecided());
 }
 
-/// Why there is nothing to tune, with the way out.
-void TunePanel::refreshEmpty() {
-    const DeviceSession& session = m_bench.session();
-    const std::size_t axes = session.catalogue().axes.size();
-    const bool isOther =
-        session.state() == SessionState::Connected && axes > 0 && !session.catalogue().hasProcedure("tune");
-    if (isOther) {
-        m_empty->setWords(tr("Tuning is not available for this device"),
-                          tr("%n control loop(s), no identification procedure. Edit the gains in Parameters "
-                             "and check them with a reference in Drive.",
-                             nullptr, static_cast<int>(axes)));
-    } else if (session.state() == SessionState::Connected && axes > 1) {
-        m_empty->setWords(tr("No axes to tune yet"),
-                          tr("Gains are designed for identified axes and verified by a step of each axis "
-                             "before they are kept."),
-                          tr("Identify the axes"));
-    } else {
-        m_empty->setWords(
-            tr("No motor to tune"),
-            tr("Gains are designed for an identified motor and verified by a move before they are kept."),
-            tr("Identify the motor"));
-    }
-}
-
 void TunePanel::refreshTexts() {
-    refreshEmpty();
-    m_empty->setIconName(QStringLiteral("settings"));
+    m_pages->refreshTexts();
     m_controls->refreshTexts();
     m_predictions->refreshTexts();
     m_predictions->setTitle(m_verification, tr("Verification"),

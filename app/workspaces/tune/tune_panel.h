@@ -18,10 +18,8 @@
 
 class QAction;
 class QLabel;
-class QStackedWidget;
 
 namespace halbench::widgets {
-class EmptyState;
 class FigureView;
 class MessageBar;
 class VerdictView;
@@ -30,13 +28,13 @@ class VerdictView;
 namespace halbench::app {
 
 class ApplyControls;
-class AxisTunePanel;
 class DesignComparison;
 class GainDecision;
 class GainFiles;
 class GainSettings;
 class LoopShaping;
 class PredictionPages;
+class TunePages;
 class TuneSession;
 class VerificationPage;
 class WhatIfPage;
@@ -90,14 +88,11 @@ protected:
 private:
     void createParts();
     QWidget* buildSettings();
-    void buildPictures();
     void connectSession();
     void connectGains();
     void connectDecision();
     void connectPages();
     void connectBench();
-    AxisTunePanel& axisPanel();
-    void showPage();
     void onDevice();
     void readConditions();
     void refreshModel();
@@ -113,15 +108,12 @@ private:
     void focusNext();
     void refresh();
     void refreshTexts();
-    void refreshEmpty();
     void onUnits();
 
     Workbench& m_bench;
     FileChooser m_chooser;
     FileQueue m_files; ///< of pictures
-    QStackedWidget* m_pages;
-    widgets::EmptyState* m_empty;
-    AxisTunePanel* m_axes = nullptr; ///< once axes were identified or measured
+    TunePages* m_pages;
     widgets::MessageBar* m_message;
     TuneMessages m_messages;
     TuneSession* m_session;
