@@ -1,6 +1,6 @@
 #include "app/workspaces/tune/tune_pages.h"
 
-#include "app/workspaces/tune/axis_tune_panel.h"
+#include "app/workspaces/tune/axes/axis_tune_panel.h"
 #include "widgets/controls/empty_state.h"
 
 #include <utility>

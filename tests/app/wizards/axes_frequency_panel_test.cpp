@@ -2,9 +2,9 @@
 #include "app/wizards/axes_frequency_panel.h"
 #include "app/wizards/axes_frequency_text.h"
 #include "app/wizards/frequency_panel.h"
-#include "app/workspaces/tune/axis_loops.h"
+#include "app/workspaces/tune/axes/axis_loops.h"
 #include "tests/app/workspaces/bench_fixture.h"
-#include "tests/app/workspaces/tune/axis_model_fixture.h"
+#include "tests/app/workspaces/tune/axes/axis_model_fixture.h"
 #include "widgets/controls/estimate_table.h"
 #include "widgets/controls/verdict_view.h"
 

@@ -1,4 +1,4 @@
-#include "tests/app/workspaces/tune/axis_model_fixture.h"
+#include "tests/app/workspaces/tune/axes/axis_model_fixture.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 
 #include <QFile>

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/axis_gain_editor.h"
+#include "app/workspaces/tune/axes/axis_gain_editor.h"
 #include "tests/widgets/gui_fixture.h"
 #include "widgets/controls/optional_number_edit.h"
 

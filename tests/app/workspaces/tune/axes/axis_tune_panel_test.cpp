@@ -1,7 +1,7 @@
-#include "app/workspaces/tune/axis_tune_panel.h"
+#include "app/workspaces/tune/axes/axis_tune_panel.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/bench_fixture.h"
-#include "tests/app/workspaces/tune/axis_model_fixture.h"
+#include "tests/app/workspaces/tune/axes/axis_model_fixture.h"
 
 #include <QComboBox>
 #include <QFile>

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/axis_gain_files.h"
+#include "app/workspaces/tune/axes/axis_gain_files.h"
 
 #include "app/workbench/document_files.h"
 #include "widgets/theme/icons.h"

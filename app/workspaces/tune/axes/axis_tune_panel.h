@@ -4,7 +4,7 @@
 #include "app/workbench/file_chooser.h"
 #include "app/workbench/latest_task.h"
 #include "app/workbench/workbench.h"
-#include "app/workspaces/tune/axis_loops.h"
+#include "app/workspaces/tune/axes/axis_loops.h"
 
 #include <QWidget>
 

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/axis_targets.h"
+#include "app/workspaces/tune/axes/axis_targets.h"
 
 #include "control/design/axis_designs.h"
 #include "widgets/controls/optional_number_edit.h"

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/axis_response_button.h"
+#include "app/workspaces/tune/axes/axis_response_button.h"
 
 #include <QEvent>
 

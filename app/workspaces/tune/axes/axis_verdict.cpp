@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/axis_verdict.h"
+#include "app/workspaces/tune/axes/axis_verdict.h"
 
 #include "app/procedures/tune/loop_verdict.h"
 #include "app/workspaces/parts/quality_view.h"

@@ -1,6 +1,6 @@
-#include "app/workspaces/tune/axis_gain_files.h"
-#include "app/workspaces/tune/axis_loops.h"
-#include "tests/app/workspaces/tune/axis_model_fixture.h"
+#include "app/workspaces/tune/axes/axis_gain_files.h"
+#include "app/workspaces/tune/axes/axis_loops.h"
+#include "tests/app/workspaces/tune/axes/axis_model_fixture.h"
 #include "tests/widgets/gui_fixture.h"
 
 #include <QAbstractButton>

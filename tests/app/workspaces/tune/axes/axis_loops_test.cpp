@@ -1,6 +1,6 @@
-#include "app/workspaces/tune/axis_loops.h"
+#include "app/workspaces/tune/axes/axis_loops.h"
 #include "control/base/units.h"
-#include "tests/app/workspaces/tune/axis_model_fixture.h"
+#include "tests/app/workspaces/tune/axes/axis_model_fixture.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "app/workbench/file_chooser.h"
 #include "app/workbench/file_queue.h"
-#include "app/workspaces/tune/axis_loops.h"
+#include "app/workspaces/tune/axes/axis_loops.h"
 
 #include <QPushButton>
 

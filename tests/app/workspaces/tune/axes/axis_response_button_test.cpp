@@ -1,5 +1,5 @@
-#include "app/workspaces/tune/axis_response_button.h"
-#include "tests/app/workspaces/tune/axis_model_fixture.h"
+#include "app/workspaces/tune/axes/axis_response_button.h"
+#include "tests/app/workspaces/tune/axes/axis_model_fixture.h"
 #include "tests/widgets/gui_fixture.h"
 
 #include <QFile>

@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/axis_verdict.h"
+#include "app/workspaces/tune/axes/axis_verdict.h"
 #include "tests/widgets/gui_fixture.h"
 
 namespace halbench::app {

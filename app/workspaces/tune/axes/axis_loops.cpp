@@ -1,4 +1,4 @@
-#include "app/workspaces/tune/axis_loops.h"
+#include "app/workspaces/tune/axes/axis_loops.h"
 
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/tune/position_law_parameters.h"
