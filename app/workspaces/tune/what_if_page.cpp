@@ -4,6 +4,7 @@
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/procedures/tune/tune.h"
 #include "app/workbench/display_quantity.h"
+#include "app/workspaces/parts/panel_parts.h"
 #include "widgets/controls/empty_state.h"
 #include "widgets/controls/verdict_view.h"
 #include "widgets/figure/figure_view.h"
@@ -65,11 +66,7 @@ QWidget* WhatIfPage::buildAnswer() {
     below->setSpacing(widgets::GridStep_px);
     below->addWidget(m_picture, 1);
     m_verdict->moveRemarks(*below);
-    m_room = new QScrollArea(page);
-    m_room->setWidgetResizable(true);
-    m_room->setFrameShape(QFrame::NoFrame);
-    m_room->setFocusPolicy(Qt::NoFocus); // it follows the focus of its controls
-    m_room->setWidget(content);
+    m_room = makeScrollArea(content);
     column->addLayout(row);
     column->addWidget(m_verdict);
     column->addWidget(m_room, 1);

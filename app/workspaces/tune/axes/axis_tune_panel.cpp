@@ -3,6 +3,7 @@
 #include "app/figures/axis_figures.h"
 #include "app/workbench/departure_text.h"
 #include "app/workspaces/parts/page_chooser.h"
+#include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/parts/preflight.h"
 #include "app/workspaces/tune/axes/axis_gain_editor.h"
 #include "app/workspaces/tune/axes/axis_gain_files.h"
@@ -96,12 +97,8 @@ QWidget* AxisTunePanel::buildSettings() {
     m_verdict->moveRemarks(*column); // its title stays in sight
     column->addWidget(m_preflight);
     column->addStretch(1);
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);
+    QScrollArea* scroll = makeScrollArea(content);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
     auto* settings = new QWidget(this);
     auto* all = new QVBoxLayout(settings);
     all->setContentsMargins(0, 0, 0, 0);
