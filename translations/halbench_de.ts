@@ -199,10 +199,6 @@
         <translation>Des Kreises</translation>
     </message>
     <message>
-        <source>Of the circle; its centre lies so far in the direction of x</source>
-        <translation>Des Kreises; sein Mittelpunkt liegt so weit in Richtung x</translation>
-    </message>
-    <message>
         <source>Of the raster</source>
         <translation>Des Rasters</translation>
     </message>
@@ -3821,10 +3817,6 @@
     <message>
         <source>of a circle</source>
         <translation>eines Kreises</translation>
-    </message>
-    <message>
-        <source>of a circle, whose centre lies so far along the first axis</source>
-        <translation>eines Kreises, dessen Mittelpunkt so weit entlang der ersten Achse liegt</translation>
     </message>
     <message>
         <source>largest jerk of an S-curve or path</source>
@@ -9465,6 +9457,54 @@
     <message>
         <source>compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
         <translation>den fließenden Strom mit dem befohlenen vergleichen, oder J und phi beide angeben: das Programm findet dann einen Widerspruch</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Of the circle, whose centre lies so far in the direction of x, or of the arc</source>
+        <translation>Des Kreises, dessen Mittelpunkt so weit in Richtung x liegt, oder des Bogens</translation>
+    </message>
+    <message>
+        <source>Of the arc, counter-clockwise</source>
+        <translation>Des Bogens, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Direction in which arc and line begin, from x towards y</source>
+        <translation>Richtung, in der Bogen und Strecke beginnen, von x nach y</translation>
+    </message>
+    <message>
+        <source>Of the line</source>
+        <translation>Der Strecke</translation>
+    </message>
+    <message>
+        <source>of a circle, whose centre lies so far along the first axis, or of an arc</source>
+        <translation>eines Kreises, dessen Mittelpunkt so weit entlang der ersten Achse liegt, oder eines Bogens</translation>
+    </message>
+    <message>
+        <source>of an arc, counter-clockwise</source>
+        <translation>eines Bogens, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>direction in which arc and line begin, from the first axis to the second</source>
+        <translation>Richtung, in der Bogen und Strecke beginnen, von der ersten Achse zur zweiten</translation>
+    </message>
+    <message>
+        <source>of a line</source>
+        <translation>einer Strecke</translation>
+    </message>
+    <message>
+        <source>the heading of a path is not a number</source>
+        <translation>die Anfangsrichtung einer Bahn ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Give a finite angle.</source>
+        <translation>Einen endlichen Winkel angeben.</translation>
     </message>
 </context>
 <context>

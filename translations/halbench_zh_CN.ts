@@ -199,10 +199,6 @@
         <translation>圆的</translation>
     </message>
     <message>
-        <source>Of the circle; its centre lies so far in the direction of x</source>
-        <translation>圆的半径；圆心沿 x 方向相距此值</translation>
-    </message>
-    <message>
         <source>Of the raster</source>
         <translation>光栅的</translation>
     </message>
@@ -3821,10 +3817,6 @@
     <message>
         <source>of a circle</source>
         <translation>圆的圈数</translation>
-    </message>
-    <message>
-        <source>of a circle, whose centre lies so far along the first axis</source>
-        <translation>圆的半径，圆心沿第一轴相距此值</translation>
     </message>
     <message>
         <source>largest jerk of an S-curve or path</source>
@@ -9465,6 +9457,54 @@
     <message>
         <source>compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
         <translation>请将实际电流与命令电流比较，或同时给出 J 和 phi：程序随后会发现矛盾</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>Of the circle, whose centre lies so far in the direction of x, or of the arc</source>
+        <translation>圆（圆心沿 x 方向相距此值）或圆弧的半径</translation>
+    </message>
+    <message>
+        <source>Of the arc, counter-clockwise</source>
+        <translation>圆弧的角度，逆时针为正</translation>
+    </message>
+    <message>
+        <source>Direction in which arc and line begin, from x towards y</source>
+        <translation>圆弧和直线的起始方向，从 x 转向 y</translation>
+    </message>
+    <message>
+        <source>Of the line</source>
+        <translation>直线的长度</translation>
+    </message>
+    <message>
+        <source>of a circle, whose centre lies so far along the first axis, or of an arc</source>
+        <translation>圆（圆心沿第一轴相距此值）或圆弧的半径</translation>
+    </message>
+    <message>
+        <source>of an arc, counter-clockwise</source>
+        <translation>圆弧的角度，逆时针为正</translation>
+    </message>
+    <message>
+        <source>direction in which arc and line begin, from the first axis to the second</source>
+        <translation>圆弧和直线的起始方向，从第一轴转向第二轴</translation>
+    </message>
+    <message>
+        <source>of a line</source>
+        <translation>直线的长度</translation>
+    </message>
+    <message>
+        <source>the heading of a path is not a number</source>
+        <translation>路径的起始方向不是数字</translation>
+    </message>
+    <message>
+        <source>Give a finite angle.</source>
+        <translation>请给出有限的角度。</translation>
     </message>
 </context>
 <context>
