@@ -67,7 +67,7 @@ TEST(Identify, isRightWithinItsIntervalWhateverTheLagOfTheCurrents) {
     }
 }
 
-TEST(Identify, frictionThatDependsOnSpeedIsWithinTheIntervalOrTheVerdictIsNotGood) {
+TEST(IdentifySeeds, frictionThatDependsOnSpeedIsWithinTheIntervalOrTheVerdictIsNotGood) {
     for (const char* speed : {"0.3", "1", "2", "3", "5", "10"}) {
         for (const char* seed : {"1", "2"}) {
             const std::string uri = std::string("sim:htm?stribeck_speed=") + speed + "&seed=" + seed;
@@ -88,7 +88,7 @@ TEST(Identify, frictionThatDependsOnSpeedIsWithinTheIntervalOrTheVerdictIsNotGoo
     }
 }
 
-TEST(Identify, aMotorWithoutFrictionIsGood) {
+TEST(IdentifySeeds, aMotorWithoutFrictionIsGood) {
     for (int seed = 1; seed <= 8; ++seed) {
         const auto device = open("sim:htm?c=2e-3&Kf=0&seed=" + std::to_string(seed));
         const auto result = runIdentify(*device, withInertia(5.5e-4), {});
@@ -189,7 +189,7 @@ TEST(Identify, saysWhenGivenConstantsContradictTheMotor) {
 
 // The rotor alone cannot tell a gain of the drive from a torque constant: with one given constant it is said,
 // with two it is found.
-TEST(Identify, aGainErrorOfTheDriveIsSaidAndFoundWhereBothConstantsAreGiven) {
+TEST(IdentifySeeds, aGainErrorOfTheDriveIsSaidAndFoundWhereBothConstantsAreGiven) {
     for (const double error : {-0.05, -0.03, 0.03, 0.05}) {
         for (const int seed : {1, 2}) {
             const std::string uri =
