@@ -9506,6 +9506,598 @@
         <source>Give a finite angle.</source>
         <translation>Einen endlichen Winkel angeben.</translation>
     </message>
+    <message>
+        <source>noise and drawn errors of this specimen</source>
+        <translation>Rauschen und gezogene Fehler dieses Exemplars</translation>
+    </message>
+    <message>
+        <source>noise, sensor errors and spread</source>
+        <translation>Rauschen, Sensorfehler und Streuung</translation>
+    </message>
+    <message>
+        <source>converters and amplifiers, or exact values</source>
+        <translation>Wandler und Verstärker, oder genaue Werte</translation>
+    </message>
+    <message>
+        <source>motion: CSV file of poses</source>
+        <translation>Bewegung: CSV-Datei der Lagen</translation>
+    </message>
+    <message>
+        <source>rotor inertia</source>
+        <translation>Trägheitsmoment des Rotors</translation>
+    </message>
+    <message>
+        <source>torque per ampere of current amplitude</source>
+        <translation>Drehmoment je Ampere Stromamplitude</translation>
+    </message>
+    <message>
+        <source>current amplitude limit</source>
+        <translation>Grenze der Stromamplitude</translation>
+    </message>
+    <message>
+        <source>field amplitude at the Hall sensors</source>
+        <translation>Feldamplitude an den Hall-Sensoren</translation>
+    </message>
+    <message>
+        <source>resistance of one phase</source>
+        <translation>Widerstand einer Phase</translation>
+    </message>
+    <message>
+        <source>inductance of one phase</source>
+        <translation>Induktivität einer Phase</translation>
+    </message>
+    <message>
+        <source>rotor angle at the start</source>
+        <translation>Rotorwinkel zu Beginn</translation>
+    </message>
+    <message>
+        <source>amplifier resistor R{}</source>
+        <translation>Verstärkerwiderstand R{}</translation>
+    </message>
+    <message>
+        <source>amplifier current shunt</source>
+        <translation>Messwiderstand des Verstärkers</translation>
+    </message>
+    <message>
+        <source>amplifier capacitor C{}</source>
+        <translation>Verstärkerkondensator C{}</translation>
+    </message>
+    <message>
+        <source>Hall sensitivity at 25 degC</source>
+        <translation>Hall-Empfindlichkeit bei 25 °C</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of the Hall sensitivity</source>
+        <translation>Temperaturkoeffizient der Hall-Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>Hall output at zero field</source>
+        <translation>Hall-Ausgang ohne Feld</translation>
+    </message>
+    <message>
+        <source>field of a phase at its own sensor</source>
+        <translation>Feld einer Phase am eigenen Sensor</translation>
+    </message>
+    <message>
+        <source>computation delay of the position loop</source>
+        <translation>Rechentotzeit des Lageregelkreises</translation>
+    </message>
+    <message>
+        <source>relative run-to-run friction scatter, 1 sigma</source>
+        <translation>relative Reibungsstreuung von Lauf zu Lauf, 1 sigma</translation>
+    </message>
+    <message>
+        <source>relative once-per-turn friction, amplitude</source>
+        <translation>relative Reibung einmal je Umdrehung, Amplitude</translation>
+    </message>
+    <message>
+        <source>static over kinetic friction</source>
+        <translation>Haft- zu Gleitreibung</translation>
+    </message>
+    <message>
+        <source>speed at which static friction fades</source>
+        <translation>Drehzahl, bei der die Haftreibung abklingt</translation>
+    </message>
+    <message>
+        <source>Hall noise per sample, rms</source>
+        <translation>Hall-Rauschen je Abtastung, Effektivwert</translation>
+    </message>
+    <message>
+        <source>zero offset of both sensors; drawn for each if not given</source>
+        <translation>Nullpunktfehler beider Sensoren; ohne Angabe je Sensor gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn offsets, 1 sigma</source>
+        <translation>Streuung der gezogenen Nullpunktfehler, 1 sigma</translation>
+    </message>
+    <message>
+        <source>gain of sensor a over sensor b, minus one; drawn for each if not given</source>
+        <translation>Verstärkung von Sensor a zu Sensor b, minus eins; ohne Angabe je Sensor gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gains, 1 sigma</source>
+        <translation>Streuung der gezogenen Verstärkungen, 1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn linearity errors</source>
+        <translation>Streuung der gezogenen Linearitätsfehler</translation>
+    </message>
+    <message>
+        <source>angle error between the sensors; drawn if not given</source>
+        <translation>Winkelfehler zwischen den Sensoren; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn angle error</source>
+        <translation>Streuung des gezogenen Winkelfehlers</translation>
+    </message>
+    <message>
+        <source>spread of the sensors&apos; radius</source>
+        <translation>Streuung des Sensorradius</translation>
+    </message>
+    <message>
+        <source>remanence scatter of the bars, 1 sigma; their angle scatter goes with it (0.02: 1 deg)</source>
+        <translation>Remanenzstreuung der Stäbe, 1 sigma; ihre Winkelstreuung geht mit (0,02: 1 Grad)</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of field and torque</source>
+        <translation>Temperaturkoeffizient von Feld und Drehmoment</translation>
+    </message>
+    <message>
+        <source>ambient temperature</source>
+        <translation>Umgebungstemperatur</translation>
+    </message>
+    <message>
+        <source>share of the coil&apos;s rise at its sensor</source>
+        <translation>Anteil der Spulenerwärmung am Sensor</translation>
+    </message>
+    <message>
+        <source>error of both temperature sensors; drawn for each if not given</source>
+        <translation>Fehler beider Temperatursensoren; ohne Angabe je Sensor gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors</source>
+        <translation>Streuung der gezogenen Temperaturfehler</translation>
+    </message>
+    <message>
+        <source>heat capacity of one phase</source>
+        <translation>Wärmekapazität einer Phase</translation>
+    </message>
+    <message>
+        <source>from one phase to ambient</source>
+        <translation>von einer Phase zur Umgebung</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of the resistance</source>
+        <translation>Temperaturkoeffizient des Widerstands</translation>
+    </message>
+    <message>
+        <source>thermal seconds per second; 0: no heating</source>
+        <translation>thermische Sekunden je Sekunde; 0: keine Erwärmung</translation>
+    </message>
+    <message>
+        <source>gain error of both outputs; drawn if not given</source>
+        <translation>Verstärkungsfehler beider Ausgänge; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gain errors, 1 sigma</source>
+        <translation>Streuung der gezogenen Verstärkungsfehler, 1 sigma</translation>
+    </message>
+    <message>
+        <source>integral non-linearity of both outputs; drawn if not given</source>
+        <translation>integrale Nichtlinearität beider Ausgänge; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>largest drawn non-linearity</source>
+        <translation>größte gezogene Nichtlinearität</translation>
+    </message>
+    <message>
+        <source>{}&apos; gain error of chip {}; drawn if not given</source>
+        <translation>Verstärkungsfehler {}&apos; von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>{}&apos; zero offset of chip {}; drawn if not given</source>
+        <translation>Nullpunktfehler {}&apos; von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>share of {}&apos; in {}&apos; of chip {}; drawn if not given</source>
+        <translation>Anteil von {}&apos; in {}&apos; von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>{}&apos; place error of chip {}; drawn if not given</source>
+        <translation>Ortsfehler {}&apos; von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>height error of chip {}; drawn if not given</source>
+        <translation>Höhenfehler von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>real centre of mass along {}&apos;</source>
+        <translation>wahrer Schwerpunkt entlang {}&apos;</translation>
+    </message>
+    <message>
+        <source>rotation at the start</source>
+        <translation>Drehung zu Beginn</translation>
+    </message>
+    <message>
+        <source>pitch of the magnet matrix</source>
+        <translation>Teilung der Magnetmatrix</translation>
+    </message>
+    <message>
+        <source>height of the magnet blocks</source>
+        <translation>Höhe der Magnetblöcke</translation>
+    </message>
+    <message>
+        <source>peak magnetisation of one array</source>
+        <translation>Spitzenmagnetisierung eines Arrays</translation>
+    </message>
+    <message>
+        <source>edge of the magnet matrix in pitches</source>
+        <translation>Kantenlänge der Magnetmatrix in Teilungen</translation>
+    </message>
+    <message>
+        <source>width of a coil&apos;s winding</source>
+        <translation>Breite einer Spulenwicklung</translation>
+    </message>
+    <message>
+        <source>height of a coil&apos;s winding</source>
+        <translation>Höhe einer Spulenwicklung</translation>
+    </message>
+    <message>
+        <source>turns per width</source>
+        <translation>Windungen je Breite</translation>
+    </message>
+    <message>
+        <source>layers per height</source>
+        <translation>Lagen je Höhe</translation>
+    </message>
+    <message>
+        <source>gap from the magnets to the coils</source>
+        <translation>Spalt zwischen Magneten und Spulen</translation>
+    </message>
+    <message>
+        <source>arm of coils 5 and 6</source>
+        <translation>Hebelarm der Spulen 5 und 6</translation>
+    </message>
+    <message>
+        <source>resistance of a coil</source>
+        <translation>Widerstand einer Spule</translation>
+    </message>
+    <message>
+        <source>inductance of a coil</source>
+        <translation>Induktivität einer Spule</translation>
+    </message>
+    <message>
+        <source>current limit of a coil</source>
+        <translation>Stromgrenze einer Spule</translation>
+    </message>
+    <message>
+        <source>force of coil {} over its nominal one</source>
+        <translation>Kraft der Spule {} zu ihrer Nennkraft</translation>
+    </message>
+    <message>
+        <source>current per volt of an amplifier</source>
+        <translation>Strom je Volt eines Verstärkers</translation>
+    </message>
+    <message>
+        <source>bandwidth of an amplifier</source>
+        <translation>Bandbreite eines Verstärkers</translation>
+    </message>
+    <message>
+        <source>largest voltage at a coil</source>
+        <translation>größte Spannung an einer Spule</translation>
+    </message>
+    <message>
+        <source>output resistance of an amplifier</source>
+        <translation>Ausgangswiderstand eines Verstärkers</translation>
+    </message>
+    <message>
+        <source>resolution of the outputs</source>
+        <translation>Auflösung der Ausgänge</translation>
+    </message>
+    <message>
+        <source>range of the outputs, plus and minus</source>
+        <translation>Bereich der Ausgänge, plus und minus</translation>
+    </message>
+    <message>
+        <source>in-plane field amplitude at the chips</source>
+        <translation>Feldamplitude in der Ebene an den Chips</translation>
+    </message>
+    <message>
+        <source>place of chip {} along {}&apos;</source>
+        <translation>Ort von Chip {} entlang {}&apos;</translation>
+    </message>
+    <message>
+        <source>Hall noise per reading, rms</source>
+        <translation>Hall-Rauschen je Messwert, Effektivwert</translation>
+    </message>
+    <message>
+        <source>field at which a chip clips</source>
+        <translation>Feld, bei dem ein Chip begrenzt</translation>
+    </message>
+    <message>
+        <source>sensitivity after conditioning</source>
+        <translation>Empfindlichkeit nach der Aufbereitung</translation>
+    </message>
+    <message>
+        <source>resolution of the inputs</source>
+        <translation>Auflösung der Eingänge</translation>
+    </message>
+    <message>
+        <source>range of the inputs, plus and minus</source>
+        <translation>Bereich der Eingänge, plus und minus</translation>
+    </message>
+    <message>
+        <source>field of the coils at the chips over the calculated one</source>
+        <translation>Feld der Spulen an den Chips zum berechneten</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares</source>
+        <translation>Streuung der gezogenen Queranteile</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places</source>
+        <translation>Streuung der gezogenen Orte</translation>
+    </message>
+    <message>
+        <source>spread of the drawn heights</source>
+        <translation>Streuung der gezogenen Höhen</translation>
+    </message>
+    <message>
+        <source>stiffness of the cable</source>
+        <translation>Steifigkeit des Kabels</translation>
+    </message>
+    <message>
+        <source>torsion of the cable</source>
+        <translation>Torsionssteifigkeit des Kabels</translation>
+    </message>
+    <message>
+        <source>anchor of the cable along {}&apos;</source>
+        <translation>Befestigung des Kabels entlang {}&apos;</translation>
+    </message>
+    <message>
+        <source>slow random force per axis, rms</source>
+        <translation>langsame Zufallskraft je Achse, Effektivwert</translation>
+    </message>
+    <message>
+        <source>corner of the slow random force</source>
+        <translation>Eckfrequenz der langsamen Zufallskraft</translation>
+    </message>
+    <message>
+        <source>damping of the motion in the plane</source>
+        <translation>Dämpfung der Bewegung in der Ebene</translation>
+    </message>
+    <message>
+        <source>damping of the rotation</source>
+        <translation>Dämpfung der Drehung</translation>
+    </message>
+    <message>
+        <source>travel from the middle to a stop</source>
+        <translation>Weg von der Mitte bis zum Anschlag</translation>
+    </message>
+    <message>
+        <source>rotation from the middle to a stop</source>
+        <translation>Drehung von der Mitte bis zum Anschlag</translation>
+    </message>
+    <message>
+        <source>stiffness of the stops</source>
+        <translation>Steifigkeit der Anschläge</translation>
+    </message>
+    <message>
+        <source>stiffness of the stops in angle</source>
+        <translation>Drehsteifigkeit der Anschläge</translation>
+    </message>
+    <message>
+        <source>damping of the stops over the critical one</source>
+        <translation>Dämpfung der Anschläge zur kritischen</translation>
+    </message>
+    <message>
+        <source>stiffness of each air bearing</source>
+        <translation>Steifigkeit jedes Luftlagers</translation>
+    </message>
+    <message>
+        <source>heat capacity of a coil</source>
+        <translation>Wärmekapazität einer Spule</translation>
+    </message>
+    <message>
+        <source>from a coil to ambient</source>
+        <translation>von einer Spule zur Umgebung</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensors; drawn for each if not given</source>
+        <translation>Fehler der Temperatursensoren; ohne Angabe je Sensor gezogen</translation>
+    </message>
+    <message>
+        <source>gain error of sensor {} along {}; drawn</source>
+        <translation>Verstärkungsfehler von Sensor {} entlang {}; gezogen</translation>
+    </message>
+    <message>
+        <source>offset of sensor {} along {}; drawn</source>
+        <translation>Nullpunktfehler von Sensor {} entlang {}; gezogen</translation>
+    </message>
+    <message>
+        <source>mounting error of sensor {} about stator {}; drawn</source>
+        <translation>Einbaufehler von Sensor {} um Stator {}; gezogen</translation>
+    </message>
+    <message>
+        <source>place error of sensor {} along stator {}; drawn</source>
+        <translation>Ortsfehler von Sensor {} entlang Stator {}; gezogen</translation>
+    </message>
+    <message>
+        <source>placement of sensor {} about {}</source>
+        <translation>Anordnung von Sensor {} um {}</translation>
+    </message>
+    <message>
+        <source>channel R of sensor {}: 0 none, 1 dead, 2 stuck</source>
+        <translation>Kanal R von Sensor {}: 0 fehlerfrei, 1 tot, 2 eingefroren</translation>
+    </message>
+    <message>
+        <source>channel {} of sensor {}, likewise</source>
+        <translation>Kanal {} von Sensor {}, ebenso</translation>
+    </message>
+    <message>
+        <source>outer radius of the rotor</source>
+        <translation>Außenradius des Rotors</translation>
+    </message>
+    <message>
+        <source>radius of the rotor&apos;s core</source>
+        <translation>Radius des Rotorkerns</translation>
+    </message>
+    <message>
+        <source>pole angle of the magnet</source>
+        <translation>Polwinkel des Magneten</translation>
+    </message>
+    <message>
+        <source>remanence</source>
+        <translation>Remanenz</translation>
+    </message>
+    <message>
+        <source>relative recoil permeability</source>
+        <translation>relative permanente Permeabilität</translation>
+    </message>
+    <message>
+        <source>relative permeability of the core</source>
+        <translation>relative Permeabilität des Kerns</translation>
+    </message>
+    <message>
+        <source>azimuthal coefficient</source>
+        <translation>azimutaler Koeffizient</translation>
+    </message>
+    <message>
+        <source>device model: 0 exact, 1 additive angles as published</source>
+        <translation>Gerätemodell: 0 exakt, 1 additive Winkel wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>distance of the sensors from the centre</source>
+        <translation>Abstand der Sensoren vom Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
+        <translation>Sensorachsen: 0 zyx, 1 xyz, 2 ohne Rollen</translation>
+    </message>
+    <message>
+        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
+        <translation>weitere Harmonische: 0 keine, 1 wie Finite Elemente, 2 Belastung</translation>
+    </message>
+    <message>
+        <source>harmonic ({}) at 50 mm instead of the preset&apos;s</source>
+        <translation>Harmonische ({}) bei 50 mm statt der Voreinstellung</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares, 1 sigma</source>
+        <translation>Streuung der gezogenen Queranteile, 1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn mounting angles, 1 sigma</source>
+        <translation>Streuung der gezogenen Einbauwinkel, 1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places, 1 sigma</source>
+        <translation>Streuung der gezogenen Orte, 1 sigma</translation>
+    </message>
+    <message>
+        <source>noise of a reading, rms</source>
+        <translation>Rauschen eines Messwerts, Effektivwert</translation>
+    </message>
+    <message>
+        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
+        <translation>Wandler: 0 12 Bit 300 mT, 1 400 mT, 2 98 µT bis 130 mT, 3 100 mT</translation>
+    </message>
+    <message>
+        <source>uniform stray field along {}</source>
+        <translation>gleichförmiges Streufeld entlang {}</translation>
+    </message>
+    <message>
+        <source>place of the stator coil, from {}</source>
+        <translation>Ort der Statorspule, von {} aus</translation>
+    </message>
+    <message>
+        <source>distance of the coil&apos;s centre</source>
+        <translation>Abstand der Spulenmitte</translation>
+    </message>
+    <message>
+        <source>radius of the stator coil</source>
+        <translation>Radius der Statorspule</translation>
+    </message>
+    <message>
+        <source>turns of the stator coil</source>
+        <translation>Windungen der Statorspule</translation>
+    </message>
+    <message>
+        <source>current of the stator coil</source>
+        <translation>Strom der Statorspule</translation>
+    </message>
+    <message>
+        <source>temperature at the start</source>
+        <translation>Temperatur zu Beginn</translation>
+    </message>
+    <message>
+        <source>final rise of the magnet</source>
+        <translation>Enderwärmung des Magneten</translation>
+    </message>
+    <message>
+        <source>time constant of the rise</source>
+        <translation>Zeitkonstante der Erwärmung</translation>
+    </message>
+    <message>
+        <source>relative change of the field with temperature</source>
+        <translation>relative Änderung des Felds mit der Temperatur</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensor; drawn</source>
+        <translation>Fehler des Temperatursensors; gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors, 1 sigma</source>
+        <translation>Streuung der gezogenen Temperaturfehler, 1 sigma</translation>
+    </message>
+    <message>
+        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
+        <translation>0 Sollwert, 1 bis 4 veröffentlichte Bahn, 5 Taumeln, 6 Irrfahrt</translation>
+    </message>
+    <message>
+        <source>start, rotation about {}</source>
+        <translation>Beginn, Drehung um {}</translation>
+    </message>
+    <message>
+        <source>start, spin about the shaft</source>
+        <translation>Beginn, Drehung um die Welle</translation>
+    </message>
+    <message>
+        <source>rate towards a set-point, spin of tumbling</source>
+        <translation>Drehrate zum Sollwert, Eigendrehung beim Taumeln</translation>
+    </message>
+    <message>
+        <source>spin along the published trajectories</source>
+        <translation>Eigendrehung entlang der veröffentlichten Bahnen</translation>
+    </message>
+    <message>
+        <source>time between two published samples</source>
+        <translation>Zeit zwischen zwei veröffentlichten Punkten</translation>
+    </message>
+    <message>
+        <source>tilt of tumbling, limit of the random walk</source>
+        <translation>Neigung beim Taumeln, Grenze der Irrfahrt</translation>
+    </message>
+    <message>
+        <source>frequency of tumbling about {}</source>
+        <translation>Taumelfrequenz um {}</translation>
+    </message>
+    <message>
+        <source>random walk: rms of an axis after one second</source>
+        <translation>Irrfahrt: Effektivwert einer Achse nach einer Sekunde</translation>
+    </message>
+    <message>
+        <source>x at the start</source>
+        <translation>x zu Beginn</translation>
+    </message>
+    <message>
+        <source>y at the start</source>
+        <translation>y zu Beginn</translation>
+    </message>
+    <message>
+        <source>asymmetry of friction, (Kf+ - Kf-)/(Kf+ + Kf-)</source>
+        <translation>Asymmetrie der Reibung, (Kf+ - Kf-)/(Kf+ + Kf-)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10674,6 +11266,14 @@ Firmware %2</translation>
     <message>
         <source>Connection lost. Reconnecting to %1…</source>
         <translation>Verbindung verloren. Verbindet erneut mit %1 …</translation>
+    </message>
+    <message>
+        <source>Simulation options…</source>
+        <translation>Optionen der Simulation…</translation>
+    </message>
+    <message>
+        <source>Values of the simulated actuator: motion, noise, faults…</source>
+        <translation>Werte des simulierten Aktors: Bewegung, Rauschen, Fehler…</translation>
     </message>
 </context>
 <context>
@@ -21215,6 +21815,69 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>Drehung von der X-Achse zum Ort des Sensors</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SimulationOptionsDialog</name>
+    <message>
+        <source>Simulation options</source>
+        <translation>Optionen der Simulation</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter by name or meaning</source>
+        <translation>Nach Name oder Bedeutung filtern</translation>
+    </message>
+    <message>
+        <source>Write the options into the address</source>
+        <translation>Optionen in die Adresse schreiben</translation>
+    </message>
+    <message>
+        <source>Standard values</source>
+        <translation>Standardwerte</translation>
+    </message>
+    <message>
+        <source>Remove all options</source>
+        <translation>Alle Optionen entfernen</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>random</source>
+        <translation>zufällig</translation>
+    </message>
+    <message>
+        <source>Enter a value of the range, or leave the cell empty.</source>
+        <translation>Einen Wert des Bereichs eingeben oder das Feld leer lassen.</translation>
     </message>
 </context>
 </TS>

@@ -9506,6 +9506,598 @@
         <source>Give a finite angle.</source>
         <translation>请给出有限的角度。</translation>
     </message>
+    <message>
+        <source>noise and drawn errors of this specimen</source>
+        <translation>本样机的噪声和随机误差</translation>
+    </message>
+    <message>
+        <source>noise, sensor errors and spread</source>
+        <translation>噪声、传感器误差和离散性</translation>
+    </message>
+    <message>
+        <source>converters and amplifiers, or exact values</source>
+        <translation>转换器和放大器，或精确值</translation>
+    </message>
+    <message>
+        <source>motion: CSV file of poses</source>
+        <translation>运动：位姿 CSV 文件</translation>
+    </message>
+    <message>
+        <source>rotor inertia</source>
+        <translation>转子转动惯量</translation>
+    </message>
+    <message>
+        <source>torque per ampere of current amplitude</source>
+        <translation>每安培电流幅值的转矩</translation>
+    </message>
+    <message>
+        <source>current amplitude limit</source>
+        <translation>电流幅值限值</translation>
+    </message>
+    <message>
+        <source>field amplitude at the Hall sensors</source>
+        <translation>霍尔传感器处的磁场幅值</translation>
+    </message>
+    <message>
+        <source>resistance of one phase</source>
+        <translation>单相电阻</translation>
+    </message>
+    <message>
+        <source>inductance of one phase</source>
+        <translation>单相电感</translation>
+    </message>
+    <message>
+        <source>rotor angle at the start</source>
+        <translation>起始转子角度</translation>
+    </message>
+    <message>
+        <source>amplifier resistor R{}</source>
+        <translation>放大器电阻 R{}</translation>
+    </message>
+    <message>
+        <source>amplifier current shunt</source>
+        <translation>放大器电流分流电阻</translation>
+    </message>
+    <message>
+        <source>amplifier capacitor C{}</source>
+        <translation>放大器电容 C{}</translation>
+    </message>
+    <message>
+        <source>Hall sensitivity at 25 degC</source>
+        <translation>25 °C 时的霍尔灵敏度</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of the Hall sensitivity</source>
+        <translation>霍尔灵敏度的温度系数</translation>
+    </message>
+    <message>
+        <source>Hall output at zero field</source>
+        <translation>零磁场时的霍尔输出</translation>
+    </message>
+    <message>
+        <source>field of a phase at its own sensor</source>
+        <translation>相电流在自身传感器处的磁场</translation>
+    </message>
+    <message>
+        <source>computation delay of the position loop</source>
+        <translation>位置环的计算延迟</translation>
+    </message>
+    <message>
+        <source>relative run-to-run friction scatter, 1 sigma</source>
+        <translation>各次运行间摩擦的相对离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>relative once-per-turn friction, amplitude</source>
+        <translation>每转一次的相对摩擦，幅值</translation>
+    </message>
+    <message>
+        <source>static over kinetic friction</source>
+        <translation>静摩擦与动摩擦之比</translation>
+    </message>
+    <message>
+        <source>speed at which static friction fades</source>
+        <translation>静摩擦消退的速度</translation>
+    </message>
+    <message>
+        <source>Hall noise per sample, rms</source>
+        <translation>每次采样的霍尔噪声，有效值</translation>
+    </message>
+    <message>
+        <source>zero offset of both sensors; drawn for each if not given</source>
+        <translation>两个传感器的零偏；未给出时各自随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn offsets, 1 sigma</source>
+        <translation>随机零偏的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>gain of sensor a over sensor b, minus one; drawn for each if not given</source>
+        <translation>传感器 a 与 b 的增益之比减一；未给出时各自随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gains, 1 sigma</source>
+        <translation>随机增益的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn linearity errors</source>
+        <translation>随机线性误差的离散</translation>
+    </message>
+    <message>
+        <source>angle error between the sensors; drawn if not given</source>
+        <translation>传感器间的角度误差；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn angle error</source>
+        <translation>随机角度误差的离散</translation>
+    </message>
+    <message>
+        <source>spread of the sensors&apos; radius</source>
+        <translation>传感器半径的离散</translation>
+    </message>
+    <message>
+        <source>remanence scatter of the bars, 1 sigma; their angle scatter goes with it (0.02: 1 deg)</source>
+        <translation>磁条剩磁离散，1 sigma；其角度离散随之变化（0.02：1 度）</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of field and torque</source>
+        <translation>磁场和转矩的温度系数</translation>
+    </message>
+    <message>
+        <source>ambient temperature</source>
+        <translation>环境温度</translation>
+    </message>
+    <message>
+        <source>share of the coil&apos;s rise at its sensor</source>
+        <translation>传感器随线圈温升的比例</translation>
+    </message>
+    <message>
+        <source>error of both temperature sensors; drawn for each if not given</source>
+        <translation>两个温度传感器的误差；未给出时各自随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors</source>
+        <translation>随机温度误差的离散</translation>
+    </message>
+    <message>
+        <source>heat capacity of one phase</source>
+        <translation>单相热容</translation>
+    </message>
+    <message>
+        <source>from one phase to ambient</source>
+        <translation>单相到环境</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of the resistance</source>
+        <translation>电阻温度系数</translation>
+    </message>
+    <message>
+        <source>thermal seconds per second; 0: no heating</source>
+        <translation>每秒对应的热秒数；0：不发热</translation>
+    </message>
+    <message>
+        <source>gain error of both outputs; drawn if not given</source>
+        <translation>两个输出的增益误差；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gain errors, 1 sigma</source>
+        <translation>随机增益误差的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>integral non-linearity of both outputs; drawn if not given</source>
+        <translation>两个输出的积分非线性；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>largest drawn non-linearity</source>
+        <translation>随机非线性的最大值</translation>
+    </message>
+    <message>
+        <source>{}&apos; gain error of chip {}; drawn if not given</source>
+        <translation>{}&apos; 增益误差，芯片 {}；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>{}&apos; zero offset of chip {}; drawn if not given</source>
+        <translation>{}&apos; 零偏，芯片 {}；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>share of {}&apos; in {}&apos; of chip {}; drawn if not given</source>
+        <translation>{}&apos; 在 {}&apos; 中的占比，芯片 {}；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>{}&apos; place error of chip {}; drawn if not given</source>
+        <translation>{}&apos; 位置误差，芯片 {}；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>height error of chip {}; drawn if not given</source>
+        <translation>芯片 {} 的高度误差；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>real centre of mass along {}&apos;</source>
+        <translation>沿 {}&apos; 的实际质心</translation>
+    </message>
+    <message>
+        <source>rotation at the start</source>
+        <translation>起始转角</translation>
+    </message>
+    <message>
+        <source>pitch of the magnet matrix</source>
+        <translation>磁体阵列节距</translation>
+    </message>
+    <message>
+        <source>height of the magnet blocks</source>
+        <translation>磁块高度</translation>
+    </message>
+    <message>
+        <source>peak magnetisation of one array</source>
+        <translation>单个阵列的峰值磁化强度</translation>
+    </message>
+    <message>
+        <source>edge of the magnet matrix in pitches</source>
+        <translation>磁体阵列边长（节距数）</translation>
+    </message>
+    <message>
+        <source>width of a coil&apos;s winding</source>
+        <translation>线圈绕组宽度</translation>
+    </message>
+    <message>
+        <source>height of a coil&apos;s winding</source>
+        <translation>线圈绕组高度</translation>
+    </message>
+    <message>
+        <source>turns per width</source>
+        <translation>单位宽度匝数</translation>
+    </message>
+    <message>
+        <source>layers per height</source>
+        <translation>单位高度层数</translation>
+    </message>
+    <message>
+        <source>gap from the magnets to the coils</source>
+        <translation>磁体到线圈的间隙</translation>
+    </message>
+    <message>
+        <source>arm of coils 5 and 6</source>
+        <translation>线圈 5 和 6 的力臂</translation>
+    </message>
+    <message>
+        <source>resistance of a coil</source>
+        <translation>线圈电阻</translation>
+    </message>
+    <message>
+        <source>inductance of a coil</source>
+        <translation>线圈电感</translation>
+    </message>
+    <message>
+        <source>current limit of a coil</source>
+        <translation>线圈电流限值</translation>
+    </message>
+    <message>
+        <source>force of coil {} over its nominal one</source>
+        <translation>线圈 {} 的力与标称值之比</translation>
+    </message>
+    <message>
+        <source>current per volt of an amplifier</source>
+        <translation>放大器每伏电流</translation>
+    </message>
+    <message>
+        <source>bandwidth of an amplifier</source>
+        <translation>放大器带宽</translation>
+    </message>
+    <message>
+        <source>largest voltage at a coil</source>
+        <translation>线圈最大电压</translation>
+    </message>
+    <message>
+        <source>output resistance of an amplifier</source>
+        <translation>放大器输出电阻</translation>
+    </message>
+    <message>
+        <source>resolution of the outputs</source>
+        <translation>输出分辨率</translation>
+    </message>
+    <message>
+        <source>range of the outputs, plus and minus</source>
+        <translation>输出范围，正负</translation>
+    </message>
+    <message>
+        <source>in-plane field amplitude at the chips</source>
+        <translation>芯片处的面内磁场幅值</translation>
+    </message>
+    <message>
+        <source>place of chip {} along {}&apos;</source>
+        <translation>芯片 {} 沿 {}&apos; 的位置</translation>
+    </message>
+    <message>
+        <source>Hall noise per reading, rms</source>
+        <translation>每次读数的霍尔噪声，有效值</translation>
+    </message>
+    <message>
+        <source>field at which a chip clips</source>
+        <translation>芯片饱和的磁场</translation>
+    </message>
+    <message>
+        <source>sensitivity after conditioning</source>
+        <translation>调理后的灵敏度</translation>
+    </message>
+    <message>
+        <source>resolution of the inputs</source>
+        <translation>输入分辨率</translation>
+    </message>
+    <message>
+        <source>range of the inputs, plus and minus</source>
+        <translation>输入范围，正负</translation>
+    </message>
+    <message>
+        <source>field of the coils at the chips over the calculated one</source>
+        <translation>线圈在芯片处的磁场与计算值之比</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares</source>
+        <translation>随机交叉轴分量的离散</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places</source>
+        <translation>随机位置的离散</translation>
+    </message>
+    <message>
+        <source>spread of the drawn heights</source>
+        <translation>随机高度的离散</translation>
+    </message>
+    <message>
+        <source>stiffness of the cable</source>
+        <translation>线缆刚度</translation>
+    </message>
+    <message>
+        <source>torsion of the cable</source>
+        <translation>线缆扭转刚度</translation>
+    </message>
+    <message>
+        <source>anchor of the cable along {}&apos;</source>
+        <translation>线缆固定点沿 {}&apos; 的位置</translation>
+    </message>
+    <message>
+        <source>slow random force per axis, rms</source>
+        <translation>每轴缓慢随机力，有效值</translation>
+    </message>
+    <message>
+        <source>corner of the slow random force</source>
+        <translation>缓慢随机力的转折频率</translation>
+    </message>
+    <message>
+        <source>damping of the motion in the plane</source>
+        <translation>平面运动阻尼</translation>
+    </message>
+    <message>
+        <source>damping of the rotation</source>
+        <translation>转动阻尼</translation>
+    </message>
+    <message>
+        <source>travel from the middle to a stop</source>
+        <translation>从中间到限位的行程</translation>
+    </message>
+    <message>
+        <source>rotation from the middle to a stop</source>
+        <translation>从中间到限位的转角</translation>
+    </message>
+    <message>
+        <source>stiffness of the stops</source>
+        <translation>限位刚度</translation>
+    </message>
+    <message>
+        <source>stiffness of the stops in angle</source>
+        <translation>限位转动刚度</translation>
+    </message>
+    <message>
+        <source>damping of the stops over the critical one</source>
+        <translation>限位阻尼与临界阻尼之比</translation>
+    </message>
+    <message>
+        <source>stiffness of each air bearing</source>
+        <translation>每个气浮轴承的刚度</translation>
+    </message>
+    <message>
+        <source>heat capacity of a coil</source>
+        <translation>线圈热容</translation>
+    </message>
+    <message>
+        <source>from a coil to ambient</source>
+        <translation>线圈到环境</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensors; drawn for each if not given</source>
+        <translation>温度传感器误差；未给出时各自随机抽取</translation>
+    </message>
+    <message>
+        <source>gain error of sensor {} along {}; drawn</source>
+        <translation>传感器 {} 沿 {} 的增益误差；随机抽取</translation>
+    </message>
+    <message>
+        <source>offset of sensor {} along {}; drawn</source>
+        <translation>传感器 {} 沿 {} 的零偏；随机抽取</translation>
+    </message>
+    <message>
+        <source>mounting error of sensor {} about stator {}; drawn</source>
+        <translation>传感器 {} 绕定子 {} 的安装误差；随机抽取</translation>
+    </message>
+    <message>
+        <source>place error of sensor {} along stator {}; drawn</source>
+        <translation>传感器 {} 沿定子 {} 的位置误差；随机抽取</translation>
+    </message>
+    <message>
+        <source>placement of sensor {} about {}</source>
+        <translation>传感器 {} 绕 {} 的布置</translation>
+    </message>
+    <message>
+        <source>channel R of sensor {}: 0 none, 1 dead, 2 stuck</source>
+        <translation>传感器 {} 的 R 通道：0 正常，1 无信号，2 卡死</translation>
+    </message>
+    <message>
+        <source>channel {} of sensor {}, likewise</source>
+        <translation>{} 通道，传感器 {}，同上</translation>
+    </message>
+    <message>
+        <source>outer radius of the rotor</source>
+        <translation>转子外半径</translation>
+    </message>
+    <message>
+        <source>radius of the rotor&apos;s core</source>
+        <translation>转子芯半径</translation>
+    </message>
+    <message>
+        <source>pole angle of the magnet</source>
+        <translation>磁体极角</translation>
+    </message>
+    <message>
+        <source>remanence</source>
+        <translation>剩磁</translation>
+    </message>
+    <message>
+        <source>relative recoil permeability</source>
+        <translation>相对回复磁导率</translation>
+    </message>
+    <message>
+        <source>relative permeability of the core</source>
+        <translation>芯的相对磁导率</translation>
+    </message>
+    <message>
+        <source>azimuthal coefficient</source>
+        <translation>方位系数</translation>
+    </message>
+    <message>
+        <source>device model: 0 exact, 1 additive angles as published</source>
+        <translation>器件模型：0 精确，1 按文献的角度相加</translation>
+    </message>
+    <message>
+        <source>distance of the sensors from the centre</source>
+        <translation>传感器到中心的距离</translation>
+    </message>
+    <message>
+        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
+        <translation>传感器坐标系：0 zyx，1 xyz，2 无滚转</translation>
+    </message>
+    <message>
+        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
+        <translation>附加谐波：0 无，1 按有限元，2 强化</translation>
+    </message>
+    <message>
+        <source>harmonic ({}) at 50 mm instead of the preset&apos;s</source>
+        <translation>50 mm 处的谐波（{}），替代预设值</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares, 1 sigma</source>
+        <translation>随机交叉轴分量的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn mounting angles, 1 sigma</source>
+        <translation>随机安装角的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places, 1 sigma</source>
+        <translation>随机位置的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>noise of a reading, rms</source>
+        <translation>读数噪声，有效值</translation>
+    </message>
+    <message>
+        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
+        <translation>转换器：0 12 位 300 mT，1 400 mT，2 98 µT 至 130 mT，3 100 mT</translation>
+    </message>
+    <message>
+        <source>uniform stray field along {}</source>
+        <translation>沿 {} 的均匀杂散磁场</translation>
+    </message>
+    <message>
+        <source>place of the stator coil, from {}</source>
+        <translation>定子线圈位置，自 {} 起</translation>
+    </message>
+    <message>
+        <source>distance of the coil&apos;s centre</source>
+        <translation>线圈中心的距离</translation>
+    </message>
+    <message>
+        <source>radius of the stator coil</source>
+        <translation>定子线圈半径</translation>
+    </message>
+    <message>
+        <source>turns of the stator coil</source>
+        <translation>定子线圈匝数</translation>
+    </message>
+    <message>
+        <source>current of the stator coil</source>
+        <translation>定子线圈电流</translation>
+    </message>
+    <message>
+        <source>temperature at the start</source>
+        <translation>起始温度</translation>
+    </message>
+    <message>
+        <source>final rise of the magnet</source>
+        <translation>磁体最终温升</translation>
+    </message>
+    <message>
+        <source>time constant of the rise</source>
+        <translation>温升时间常数</translation>
+    </message>
+    <message>
+        <source>relative change of the field with temperature</source>
+        <translation>磁场随温度的相对变化</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensor; drawn</source>
+        <translation>温度传感器误差；随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors, 1 sigma</source>
+        <translation>随机温度误差的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
+        <translation>0 设定值，1 至 4 文献轨迹，5 翻滚，6 随机游走</translation>
+    </message>
+    <message>
+        <source>start, rotation about {}</source>
+        <translation>起始，绕 {} 的转角</translation>
+    </message>
+    <message>
+        <source>start, spin about the shaft</source>
+        <translation>起始，绕轴的自转角</translation>
+    </message>
+    <message>
+        <source>rate towards a set-point, spin of tumbling</source>
+        <translation>趋向设定值的角速度，翻滚时的自转</translation>
+    </message>
+    <message>
+        <source>spin along the published trajectories</source>
+        <translation>沿文献轨迹的自转</translation>
+    </message>
+    <message>
+        <source>time between two published samples</source>
+        <translation>文献中两个采样点的间隔</translation>
+    </message>
+    <message>
+        <source>tilt of tumbling, limit of the random walk</source>
+        <translation>翻滚的倾角，随机游走的限值</translation>
+    </message>
+    <message>
+        <source>frequency of tumbling about {}</source>
+        <translation>绕 {} 的翻滚频率</translation>
+    </message>
+    <message>
+        <source>random walk: rms of an axis after one second</source>
+        <translation>随机游走：一秒后单轴的有效值</translation>
+    </message>
+    <message>
+        <source>x at the start</source>
+        <translation>起始 x</translation>
+    </message>
+    <message>
+        <source>y at the start</source>
+        <translation>起始 y</translation>
+    </message>
+    <message>
+        <source>asymmetry of friction, (Kf+ - Kf-)/(Kf+ + Kf-)</source>
+        <translation>摩擦不对称性，(Kf+ - Kf-)/(Kf+ + Kf-)</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10670,6 +11262,14 @@ Firmware %2</source>
     <message>
         <source>Connection lost. Reconnecting to %1…</source>
         <translation>连接丢失。正在重新连接 %1…</translation>
+    </message>
+    <message>
+        <source>Simulation options…</source>
+        <translation>仿真选项…</translation>
+    </message>
+    <message>
+        <source>Values of the simulated actuator: motion, noise, faults…</source>
+        <translation>仿真执行器的数值：运动、噪声、故障…</translation>
     </message>
 </context>
 <context>
@@ -21200,6 +21800,69 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>从 X 轴到传感器位置的旋转</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SimulationOptionsDialog</name>
+    <message>
+        <source>Simulation options</source>
+        <translation>仿真选项</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Filter by name or meaning</source>
+        <translation>按名称或含义筛选</translation>
+    </message>
+    <message>
+        <source>Write the options into the address</source>
+        <translation>将选项写入地址</translation>
+    </message>
+    <message>
+        <source>Standard values</source>
+        <translation>标准值</translation>
+    </message>
+    <message>
+        <source>Remove all options</source>
+        <translation>移除所有选项</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>键</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>含义</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>random</source>
+        <translation>随机</translation>
+    </message>
+    <message>
+        <source>Enter a value of the range, or leave the cell empty.</source>
+        <translation>请输入范围内的值，或将单元格留空。</translation>
     </message>
 </context>
 </TS>
