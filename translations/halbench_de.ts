@@ -19246,14 +19246,6 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <translation>%1; Feld: %2</translation>
     </message>
     <message>
-        <source>a</source>
-        <translation>a</translation>
-    </message>
-    <message>
-        <source>b</source>
-        <translation>b</translation>
-    </message>
-    <message>
         <source>A</source>
         <translation>A</translation>
     </message>
@@ -19288,6 +19280,14 @@ Hall B
 %1
 Hall B
 %2</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>Hall A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>Hall B</translation>
     </message>
 </context>
 <context>
@@ -21175,6 +21175,25 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>Drehung von der X-Achse zum Ort des Sensors</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::HallTraceView</name>
+    <message>
+        <source>Hall A</source>
+        <translation>Hall A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>Hall B</translation>
+    </message>
+    <message>
+        <source>Hall readings over a turn</source>
+        <translation>Hall-Messwerte über eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>Hall B over Hall A, the newest reading at each angle</source>
+        <translation>Hall B über Hall A, neuester Messwert je Winkel</translation>
     </message>
 </context>
 </TS>

@@ -19231,14 +19231,6 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <translation>%1；磁场：%2</translation>
     </message>
     <message>
-        <source>a</source>
-        <translation>a</translation>
-    </message>
-    <message>
-        <source>b</source>
-        <translation>b</translation>
-    </message>
-    <message>
         <source>A</source>
         <translation>A</translation>
     </message>
@@ -19273,6 +19265,14 @@ Hall B
 %1
 霍尔 B
 %2</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>霍尔 A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>霍尔 B</translation>
     </message>
 </context>
 <context>
@@ -21160,6 +21160,25 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>从 X 轴到传感器位置的旋转</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::HallTraceView</name>
+    <message>
+        <source>Hall A</source>
+        <translation>霍尔 A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>霍尔 B</translation>
+    </message>
+    <message>
+        <source>Hall readings over a turn</source>
+        <translation>一转内的霍尔读数</translation>
+    </message>
+    <message>
+        <source>Hall B over Hall A, the newest reading at each angle</source>
+        <translation>霍尔 B 对霍尔 A，每个角度的最新读数</translation>
     </message>
 </context>
 </TS>
