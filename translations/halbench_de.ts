@@ -10098,6 +10098,14 @@
         <source>asymmetry of friction, (Kf+ - Kf-)/(Kf+ + Kf-)</source>
         <translation>Asymmetrie der Reibung, (Kf+ - Kf-)/(Kf+ + Kf-)</translation>
     </message>
+    <message>
+        <source>Viscous damping</source>
+        <translation>Viskose Dämpfung</translation>
+    </message>
+    <message>
+        <source>Torque constant</source>
+        <translation>Drehmomentkonstante</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10350,6 +10358,10 @@
     <message>
         <source>The rotor moves (Ctrl+Return); Esc stops it</source>
         <translation>Der Rotor bewegt sich (Strg+Eingabe); Esc stoppt ihn</translation>
+    </message>
+    <message>
+        <source>Identify next</source>
+        <translation>Weiter: identifizieren</translation>
     </message>
 </context>
 <context>
@@ -12182,10 +12194,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <translation>Gewicht auf K_D: 0 ignoriert einen Sollwertsprung, 1 lässt ihn ganz durch</translation>
     </message>
     <message>
-        <source>For analysis and C export. Applied only if the device&apos;s control law supports them.</source>
-        <translation>Für Analyse und C-Export. Werden nur übernommen, wenn das Regelgesetz des Geräts sie unterstützt.</translation>
-    </message>
-    <message>
         <source>Set-point weights, derivative filter and series filters</source>
         <translation>Sollwertgewichtung, Filter des D-Anteils und Filter in Reihe</translation>
     </message>
@@ -12360,6 +12368,22 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>Coefficient of 1 in the denominator</source>
         <translation>Koeffizient von 1 im Nenner</translation>
+    </message>
+    <message>
+        <source>For analysis and C export. A connected device may run them as well.</source>
+        <translation>Für Analyse und C-Export. Ein verbundenes Gerät kann sie eventuell auch ausführen.</translation>
+    </message>
+    <message>
+        <source>This device runs them, with up to %1 filters.</source>
+        <translation>Dieses Gerät führt sie aus, mit bis zu %1 Filtern.</translation>
+    </message>
+    <message>
+        <source>This device runs a part of them; the others are for analysis and C export only.</source>
+        <translation>Dieses Gerät führt einen Teil davon aus; die übrigen dienen nur der Analyse und dem C-Export.</translation>
+    </message>
+    <message>
+        <source>This device does not run them: for analysis and C export only.</source>
+        <translation>Dieses Gerät führt sie nicht aus: nur für Analyse und C-Export.</translation>
     </message>
 </context>
 <context>
@@ -13268,10 +13292,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <translation>Gut: Das Modell passt zu den Daten</translation>
     </message>
     <message>
-        <source>Device stops at %1 rad/s. Gains and limits are always restored.</source>
-        <translation>Das Gerät stoppt bei %1 rad/s. Reglerparameter und Grenzwerte werden immer wiederhergestellt.</translation>
-    </message>
-    <message>
         <source>Current up to %1 A. The run pauses for cooling if the coils come near %2 °C.</source>
         <translation>Strom bis %1 A. Der Lauf pausiert zum Abkühlen, wenn die Spulen nahe %2 °C kommen.</translation>
     </message>
@@ -13306,10 +13326,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>in reverse</source>
         <translation>rückwärts</translation>
-    </message>
-    <message>
-        <source>The rotor will turn %1, about %2 turns in all, at up to %3 rad/s (%4 r/min), for %5 minutes of device time.</source>
-        <translation>Der Rotor dreht sich %1, insgesamt etwa %2 Umdrehungen, mit bis zu %3 rad/s (%4 1/min), %5 Minuten Gerätezeit lang.</translation>
     </message>
     <message>
         <source>viscous damping c</source>
@@ -13378,6 +13394,14 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>coils up to %1 °C</source>
         <translation>Spulen bis %1 °C</translation>
+    </message>
+    <message>
+        <source>The rotor will turn %1, about %2 turns in all, at up to %3, for %4 minutes of device time.</source>
+        <translation>Der Rotor dreht sich %1, insgesamt etwa %2 Umdrehungen, mit bis zu %3, %4 Minuten Gerätezeit lang.</translation>
+    </message>
+    <message>
+        <source>Device stops at %1. Gains and limits are always restored.</source>
+        <translation>Das Gerät stoppt bei %1. Reglerparameter und Grenzwerte werden immer wiederhergestellt.</translation>
     </message>
 </context>
 <context>
@@ -17503,7 +17527,7 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     </message>
     <message>
         <source>Gain so&amp;urce</source>
-        <translation>Herk&amp;unft der Reglerparameter</translation>
+        <translation>Reglerparameter a&amp;us</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -18284,6 +18308,14 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>Tuning is not available for this device</source>
         <translation>Für dieses Gerät ist keine Reglereinstellung verfügbar</translation>
+    </message>
+    <message>
+        <source>Drive the motor</source>
+        <translation>Motor bewegen</translation>
+    </message>
+    <message>
+        <source>Open Parameters</source>
+        <translation>Parameter öffnen</translation>
     </message>
 </context>
 <context>
@@ -19886,14 +19918,6 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <translation>%1; Feld: %2</translation>
     </message>
     <message>
-        <source>a</source>
-        <translation>a</translation>
-    </message>
-    <message>
-        <source>b</source>
-        <translation>b</translation>
-    </message>
-    <message>
         <source>A</source>
         <translation>A</translation>
     </message>
@@ -19928,6 +19952,14 @@ Hall B
 %1
 Hall B
 %2</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>Hall A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>Hall B</translation>
     </message>
 </context>
 <context>
@@ -21110,6 +21142,18 @@ Hall B
         <source>Time constant of the derivative&apos;s filter</source>
         <translation>Zeitkonstante des Filters am D-Anteil</translation>
     </message>
+    <message>
+        <source>Weight b</source>
+        <translation>Gewicht b</translation>
+    </message>
+    <message>
+        <source>Weight c</source>
+        <translation>Gewicht c</translation>
+    </message>
+    <message>
+        <source>Filter T_f</source>
+        <translation>Filter T_f</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::AxisResponseButton</name>
@@ -21341,12 +21385,12 @@ Hall B
 <context>
     <name>halbench::app::TurnText</name>
     <message>
-        <source>The rotor will turn in reverse at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
-        <translation>Der Rotor wird sich rückwärts mit %1 rad/s (%2 1/min) drehen, etwa %3 Umdrehungen, %4 Minuten Gerätezeit lang.</translation>
+        <source>The rotor will turn in reverse at %1 rad/s, about %2 turns, for %3 minutes of device time.</source>
+        <translation>Der Rotor wird sich rückwärts mit %1 rad/s drehen, etwa %2 Umdrehungen, %3 Minuten Gerätezeit lang.</translation>
     </message>
     <message>
-        <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
-        <translation>Der Rotor wird sich vorwärts mit %1 rad/s (%2 1/min) drehen, etwa %3 Umdrehungen, %4 Minuten Gerätezeit lang.</translation>
+        <source>The rotor will turn forward at %1 rad/s, about %2 turns, for %3 minutes of device time.</source>
+        <translation>Der Rotor wird sich vorwärts mit %1 rad/s drehen, etwa %2 Umdrehungen, %3 Minuten Gerätezeit lang.</translation>
     </message>
 </context>
 <context>
@@ -21878,6 +21922,25 @@ Hall B
     <message>
         <source>Enter a value of the range, or leave the cell empty.</source>
         <translation>Einen Wert des Bereichs eingeben oder das Feld leer lassen.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::HallTraceView</name>
+    <message>
+        <source>Hall A</source>
+        <translation>Hall A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>Hall B</translation>
+    </message>
+    <message>
+        <source>Hall readings over a turn</source>
+        <translation>Hall-Messwerte über eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>Hall B over Hall A, the newest reading at each angle</source>
+        <translation>Hall B über Hall A, neuester Messwert je Winkel</translation>
     </message>
 </context>
 </TS>

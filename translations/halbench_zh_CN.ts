@@ -10098,6 +10098,14 @@
         <source>asymmetry of friction, (Kf+ - Kf-)/(Kf+ + Kf-)</source>
         <translation>摩擦不对称性，(Kf+ - Kf-)/(Kf+ + Kf-)</translation>
     </message>
+    <message>
+        <source>Viscous damping</source>
+        <translation>粘性阻尼</translation>
+    </message>
+    <message>
+        <source>Torque constant</source>
+        <translation>转矩常数</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10350,6 +10358,10 @@
     <message>
         <source>The rotor moves (Ctrl+Return); Esc stops it</source>
         <translation>转子会运动（Ctrl+Return）；按 Esc 键停止</translation>
+    </message>
+    <message>
+        <source>Identify next</source>
+        <translation>下一步：辨识</translation>
     </message>
 </context>
 <context>
@@ -12177,10 +12189,6 @@ are ramps at jog speed.</source>
         <translation>K_D 的权重：0 忽略设定值阶跃，1 完全作用</translation>
     </message>
     <message>
-        <source>For analysis and C export. Applied only if the device&apos;s control law supports them.</source>
-        <translation>用于分析和 C 代码导出。仅当设备的控制律支持时才应用。</translation>
-    </message>
-    <message>
         <source>Set-point weights, derivative filter and series filters</source>
         <translation>设定值权重、微分滤波和串联滤波器</translation>
     </message>
@@ -12355,6 +12363,22 @@ are ramps at jog speed.</source>
     <message>
         <source>Coefficient of 1 in the denominator</source>
         <translation>分母中的常数项</translation>
+    </message>
+    <message>
+        <source>For analysis and C export. A connected device may run them as well.</source>
+        <translation>用于分析和 C 代码导出。连接的设备也可能运行它们。</translation>
+    </message>
+    <message>
+        <source>This device runs them, with up to %1 filters.</source>
+        <translation>该设备可运行它们，最多 %1 个滤波器。</translation>
+    </message>
+    <message>
+        <source>This device runs a part of them; the others are for analysis and C export only.</source>
+        <translation>该设备可运行其中一部分；其余仅用于分析和 C 代码导出。</translation>
+    </message>
+    <message>
+        <source>This device does not run them: for analysis and C export only.</source>
+        <translation>该设备不运行它们：仅用于分析和 C 代码导出。</translation>
     </message>
 </context>
 <context>
@@ -13263,10 +13287,6 @@ are ramps at jog speed.</source>
         <translation>良好：模型与数据相符</translation>
     </message>
     <message>
-        <source>Device stops at %1 rad/s. Gains and limits are always restored.</source>
-        <translation>转速达到 %1 rad/s 时设备停止。增益和限值总会恢复。</translation>
-    </message>
-    <message>
         <source>Current up to %1 A. The run pauses for cooling if the coils come near %2 °C.</source>
         <translation>电流最大 %1 A。线圈接近 %2 °C 时暂停冷却。</translation>
     </message>
@@ -13301,10 +13321,6 @@ are ramps at jog speed.</source>
     <message>
         <source>in reverse</source>
         <translation>反向</translation>
-    </message>
-    <message>
-        <source>The rotor will turn %1, about %2 turns in all, at up to %3 rad/s (%4 r/min), for %5 minutes of device time.</source>
-        <translation>转子将%1转动，共约 %2 圈，最高 %3 rad/s（%4 r/min），历时 %5 分钟设备时间。</translation>
     </message>
     <message>
         <source>viscous damping c</source>
@@ -13373,6 +13389,14 @@ are ramps at jog speed.</source>
     <message>
         <source>coils up to %1 °C</source>
         <translation>线圈最高 %1 °C</translation>
+    </message>
+    <message>
+        <source>The rotor will turn %1, about %2 turns in all, at up to %3, for %4 minutes of device time.</source>
+        <translation>转子将%1转动，共约 %2 圈，最高 %3，历时 %4 分钟设备时间。</translation>
+    </message>
+    <message>
+        <source>Device stops at %1. Gains and limits are always restored.</source>
+        <translation>转速达到 %1 时设备停止。增益和限值总会恢复。</translation>
     </message>
 </context>
 <context>
@@ -18272,6 +18296,14 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <source>Tuning is not available for this device</source>
         <translation>此设备不支持整定</translation>
     </message>
+    <message>
+        <source>Drive the motor</source>
+        <translation>驱动电机</translation>
+    </message>
+    <message>
+        <source>Open Parameters</source>
+        <translation>打开“参数”</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::TuningFigures</name>
@@ -19871,14 +19903,6 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <translation>%1；磁场：%2</translation>
     </message>
     <message>
-        <source>a</source>
-        <translation>a</translation>
-    </message>
-    <message>
-        <source>b</source>
-        <translation>b</translation>
-    </message>
-    <message>
         <source>A</source>
         <translation>A</translation>
     </message>
@@ -19913,6 +19937,14 @@ Hall B
 %1
 霍尔 B
 %2</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>霍尔 A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>霍尔 B</translation>
     </message>
 </context>
 <context>
@@ -21095,6 +21127,18 @@ Hall B
         <source>Time constant of the derivative&apos;s filter</source>
         <translation>微分滤波器的时间常数</translation>
     </message>
+    <message>
+        <source>Weight b</source>
+        <translation>权重 b</translation>
+    </message>
+    <message>
+        <source>Weight c</source>
+        <translation>权重 c</translation>
+    </message>
+    <message>
+        <source>Filter T_f</source>
+        <translation>滤波 T_f</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::AxisResponseButton</name>
@@ -21326,12 +21370,12 @@ Hall B
 <context>
     <name>halbench::app::TurnText</name>
     <message>
-        <source>The rotor will turn in reverse at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
-        <translation>转子将以 %1 rad/s（%2 r/min）反转，约 %3 转，设备时间 %4 分钟。</translation>
+        <source>The rotor will turn in reverse at %1 rad/s, about %2 turns, for %3 minutes of device time.</source>
+        <translation>转子将以 %1 rad/s 反转，约 %2 转，设备时间 %3 分钟。</translation>
     </message>
     <message>
-        <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
-        <translation>转子将以 %1 rad/s（%2 r/min）正转，约 %3 转，设备时间 %4 分钟。</translation>
+        <source>The rotor will turn forward at %1 rad/s, about %2 turns, for %3 minutes of device time.</source>
+        <translation>转子将以 %1 rad/s 正转，约 %2 转，设备时间 %3 分钟。</translation>
     </message>
 </context>
 <context>
@@ -21863,6 +21907,25 @@ Hall B
     <message>
         <source>Enter a value of the range, or leave the cell empty.</source>
         <translation>请输入范围内的值，或将单元格留空。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::HallTraceView</name>
+    <message>
+        <source>Hall A</source>
+        <translation>霍尔 A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>霍尔 B</translation>
+    </message>
+    <message>
+        <source>Hall readings over a turn</source>
+        <translation>一转内的霍尔读数</translation>
+    </message>
+    <message>
+        <source>Hall B over Hall A, the newest reading at each angle</source>
+        <translation>霍尔 B 对霍尔 A，每个角度的最新读数</translation>
     </message>
 </context>
 </TS>

@@ -10,10 +10,6 @@ namespace {
 /// Meanings of the keys of simulated devices (models/htm, planar, spherical), as the table of simulation options shows
 /// them. Its test walks the real tables, so that none is forgotten.
 constexpr const char* Table[] = {
-    QT_TRANSLATE_NOOP("Phrases", "noise and drawn errors of this specimen"),
-    QT_TRANSLATE_NOOP("Phrases", "noise, sensor errors and spread"),
-    QT_TRANSLATE_NOOP("Phrases", "converters and amplifiers, or exact values"),
-    QT_TRANSLATE_NOOP("Phrases", "motion: CSV file of poses"),
     QT_TRANSLATE_NOOP("Phrases", "rotor inertia"),
     QT_TRANSLATE_NOOP("Phrases", "viscous damping"),
     QT_TRANSLATE_NOOP("Phrases", "Coulomb friction"),

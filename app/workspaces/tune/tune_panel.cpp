@@ -152,6 +152,9 @@ void TunePanel::onDevice() {
     }
     refreshEmpty();
     showPage();
+    m_filters->setOffered(session.state() == SessionState::Connected
+                              ? std::optional(boardLawSpec(session.catalogue()))
+                              : std::nullopt);
     refreshOutlook(); // of its limits
     readConditions();
     ask(); // its presets may be others

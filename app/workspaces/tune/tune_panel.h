@@ -98,6 +98,8 @@ public:
 
 Q_SIGNALS:
     void identifyRequested(); ///< there is no motor to tune yet
+    void savingRequested();   ///< in the device, what is kept
+    void drivingRequested();  ///< with what is kept on a simulated device, which saves nothing
     /// A device was left on which gains of this panel were kept, or still to be decided on: where they are
     /// now. The project has them as this design.
     void gainsLeft(const QString& text, const QString& remedy, const QString& design);
@@ -170,6 +172,7 @@ private:
     void forgetMeasured();
     void connectWhatIf();
     void chooseRecording();
+    void onMessageAction();
     void chooseRanGains();
     void showRecording(const QString& path);
     void refuseRecording(const Error& error);

@@ -21,7 +21,8 @@ void TunePanel::keep() {
     const QString until =
         isSimulated ? tr("New gains active until disconnect.") : tr("New gains active until power-off.");
     m_bench.session().message(MessageLevel::Info, tr("Tune"), until);
-    tellOfDevice({widgets::Severity::Information, until, remedy, {}});
+    tellOfDevice({widgets::Severity::Information, until, remedy,
+                  isSimulated ? tr("Drive the motor") : tr("Open Parameters")});
     refreshButtons();
     focusNext();
     readConditions(); // the gains on the device are those to compare with from now on

@@ -96,7 +96,7 @@ void TunePanel::connectWhatIf() {
     connect(m_whatIfPage, &WhatIfPage::recordingWanted, this, &TunePanel::chooseRecording);
     connect(m_whatIfPage, &WhatIfPage::used, this, &TunePanel::showRecording);
     connect(m_whatIfPage, &WhatIfPage::refused, this, &TunePanel::refuseRecording);
-    connect(m_message, &widgets::MessageBar::actionTriggered, this, &TunePanel::chooseRanGains);
+    connect(m_message, &widgets::MessageBar::actionTriggered, this, &TunePanel::onMessageAction);
 }
 
 void TunePanel::chooseRecording() {
@@ -113,6 +113,17 @@ void TunePanel::chooseRecording() {
 void TunePanel::useRecording(const QString& path) {
     m_refusedRecording = path; // until it is read
     m_whatIfPage->use(path, {}, m_conditions);
+}
+
+/// The one of the message that is shown: of gains that were kept, else of a recording.
+void TunePanel::onMessageAction() {
+    if (m_message->message().text != m_toldOfDevice) {
+        chooseRanGains();
+    } else if (m_bench.session().info().isSimulated) {
+        Q_EMIT drivingRequested();
+    } else {
+        Q_EMIT savingRequested();
+    }
 }
 
 /// The gains of a recording that does not say them.

@@ -121,7 +121,7 @@ TEST_F(IdentifyPanelTest, saysWhatWillMoveAndNeedsADeviceToMoveIt) {
         text += label->text() + '\n';
     }
     // (phi 4 A - K_f)/c of the published motor: 29.8 rad/s (htm-theory.md section 2)
-    EXPECT_TRUE(text.contains("at up to 30 rad/s (286 r/min)")) << text.toStdString();
+    EXPECT_TRUE(text.contains("at up to 285 r/min")) << text.toStdString();
     EXPECT_TRUE(text.contains("Maximum current 4.0 A"));
     EXPECT_TRUE(text.contains("Coils 25 \u00b0C now"));
     bench.session().disconnectDevice();
