@@ -327,10 +327,6 @@
         <translation>请去掉它们；此设备接受一个轴以及给定的 m 或 Iz</translation>
     </message>
     <message>
-        <source>a sweep of currents, directions or added inertia are for a motor</source>
-        <translation>电流扫描、方向或附加惯量仅适用于电机</translation>
-    </message>
-    <message>
         <source>{} = {} must be positive</source>
         <translation>{} = {} 必须为正</translation>
     </message>
@@ -9459,12 +9455,36 @@
         <translation>请将实际电流与命令电流比较，因为驱动的增益误差会造成这种矛盾；然后只给出最可靠的常数</translation>
     </message>
     <message>
-        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J where phi is given, by as much and shows in no recording</source>
-        <translation>电流按命令值计，误差在 0.3 % 之内：驱动的增益误差使 phi（给定 phi 时为 J）偏移同样多，且不会显现在任何记录中</translation>
+        <source>a sweep of currents, directions, current tolerance or added inertia are for a motor</source>
+        <translation>电流扫描、方向、电流容差或附加惯量仅适用于电机</translation>
     </message>
     <message>
-        <source>compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
-        <translation>请将实际电流与命令电流比较，或同时给出 J 和 phi：程序随后会发现矛盾</translation>
+        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J, c and K_f where phi is given, by as much and shows in no recording</source>
+        <translation>电流按命令值计，误差在 0.3 % 之内：驱动的增益误差使 phi（给定 phi 时为 J、c 和 K_f）偏移同样多，且不会显现在任何记录中</translation>
+    </message>
+    <message>
+        <source>the current is taken as commanded within {} %, as stated: the intervals include a gain error of the drive up to that; a larger one shows in no recording</source>
+        <translation>电流按所给出的容差计为命令值，误差在 {} % 之内：区间包含不超过它的驱动增益误差；更大的误差不会显现在任何记录中</translation>
+    </message>
+    <message>
+        <source>state how well the current is known (--current-tolerance-percent), compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
+        <translation>请说明对电流的了解程度（--current-tolerance-percent），将实际电流与命令电流比较，或同时给出 J 和 phi：程序随后会发现矛盾</translation>
+    </message>
+    <message>
+        <source>the current tolerance is not a finite number</source>
+        <translation>电流容差不是有限数</translation>
+    </message>
+    <message>
+        <source>give it in per cent, e.g. 3</source>
+        <translation>请以百分数给出，例如 3</translation>
+    </message>
+    <message>
+        <source>a current tolerance of {} % is not possible</source>
+        <translation>电流容差 {} % 不可能</translation>
+    </message>
+    <message>
+        <source>give 0 to 50 %</source>
+        <translation>请给出 0 到 50 %</translation>
     </message>
 </context>
 <context>
@@ -12412,6 +12432,14 @@ are ramps at jog speed.</source>
     <message>
         <source>Given friction K&lt;sub&gt;f&lt;/sub&gt;</source>
         <translation>已知摩擦 K&lt;sub&gt;f&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>Current to&amp;lerance</source>
+        <translation>电流容差(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Limit of the drive&apos;s gain error, in per cent of the current. Empty: the published drive, 0.15 % at one sigma</source>
+        <translation>驱动增益误差的界限，以电流的百分数计。留空：所发表的驱动，一个 sigma 为 0.15 %</translation>
     </message>
 </context>
 <context>
