@@ -1595,14 +1595,6 @@
         <translation>keine Grunddrehzahl von {} bis {} rad/s trennt die Harmonischen der Drehung von den Linien: Eine Periode dauert nur {} s</translation>
     </message>
     <message>
-        <source>use another file name</source>
-        <translation>anderen Dateinamen verwenden</translation>
-    </message>
-    <message>
-        <source>--out {} would overwrite the recording</source>
-        <translation>--out {} würde die Aufzeichnung überschreiben</translation>
-    </message>
-    <message>
         <source>measure the response on this device</source>
         <translation>Frequenzgang an diesem Gerät messen</translation>
     </message>
@@ -6399,10 +6391,6 @@
         <translation>{} antwortet nicht auf {}</translation>
     </message>
     <message>
-        <source>check the value and the board&apos;s state</source>
-        <translation>prüfen Sie den Wert und den Zustand des Steuergeräts</translation>
-    </message>
-    <message>
         <source>the board did not store its parameters within {} s</source>
         <translation>das Steuergerät hat seine Parameter nicht innerhalb von {} s gespeichert</translation>
     </message>
@@ -9485,6 +9473,18 @@
     <message>
         <source>give 0 to 50 %</source>
         <translation>0 bis 50 % angeben</translation>
+    </message>
+    <message>
+        <source>the rotor came near standstill: measured with {} of the planned amplitude</source>
+        <translation>der Rotor kam dem Stillstand nahe: gemessen mit dem {}-Fachen der geplanten Amplitude</translation>
+    </message>
+    <message>
+        <source>choose a higher base speed for a larger amplitude</source>
+        <translation>für eine größere Amplitude eine höhere Grunddrehzahl wählen</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state; on a link without checksum, such as tcp:, a command that the line damaged is rejected likewise: check the line too</source>
+        <translation>den Wert und den Zustand des Boards prüfen; auf einer Verbindung ohne Prüfsumme, etwa tcp:, wird ein von der Leitung beschädigter Befehl ebenso abgelehnt: auch die Leitung prüfen</translation>
     </message>
 </context>
 <context>

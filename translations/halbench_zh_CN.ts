@@ -1595,14 +1595,6 @@
         <translation>{} 至 {} rad/s 的基础转速都无法将转动谐波与谱线分开：一个周期仅 {} s</translation>
     </message>
     <message>
-        <source>use another file name</source>
-        <translation>请使用其他文件名</translation>
-    </message>
-    <message>
-        <source>--out {} would overwrite the recording</source>
-        <translation>--out {} 会覆盖该记录</translation>
-    </message>
-    <message>
         <source>measure the response on this device</source>
         <translation>请在此设备上测量响应</translation>
     </message>
@@ -6399,10 +6391,6 @@
         <translation>{} 对 {} 没有应答</translation>
     </message>
     <message>
-        <source>check the value and the board&apos;s state</source>
-        <translation>请检查该值和控制板的状态</translation>
-    </message>
-    <message>
         <source>the board did not store its parameters within {} s</source>
         <translation>控制板在 {} s 内没有保存参数</translation>
     </message>
@@ -9485,6 +9473,18 @@
     <message>
         <source>give 0 to 50 %</source>
         <translation>请给出 0 到 50 %</translation>
+    </message>
+    <message>
+        <source>the rotor came near standstill: measured with {} of the planned amplitude</source>
+        <translation>转子接近静止：以计划幅值的 {} 倍测量</translation>
+    </message>
+    <message>
+        <source>choose a higher base speed for a larger amplitude</source>
+        <translation>如需更大的幅值，请选择更高的基础转速</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state; on a link without checksum, such as tcp:, a command that the line damaged is rejected likewise: check the line too</source>
+        <translation>检查该值和控制板的状态；在没有校验和的连接（如 tcp:）上，被线路损坏的命令同样会被拒绝：也请检查线路</translation>
     </message>
 </context>
 <context>

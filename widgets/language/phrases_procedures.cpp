@@ -228,6 +228,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "sweep from {} to {} Hz, {} of {}"),
     QT_TRANSLATE_NOOP("Phrases", "waiting for the last rows"),
     QT_TRANSLATE_NOOP("Phrases", "excitation from {} Hz"),
+    QT_TRANSLATE_NOOP("Phrases", "the rotor came near standstill: measured with {} of the planned amplitude"),
+    QT_TRANSLATE_NOOP("Phrases", "choose a higher base speed for a larger amplitude"),
     QT_TRANSLATE_NOOP("Phrases", "unknown excitation '{}'"),
     QT_TRANSLATE_NOOP("Phrases", "sampling period of the response {} ms, of this loop {} ms"),
     QT_TRANSLATE_NOOP("Phrases", "measure the response on this device"),
