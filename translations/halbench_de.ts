@@ -323,10 +323,6 @@
         <translation>lassen Sie diese weg; dieses Gerät nimmt eine Achse und ein gegebenes m oder Iz</translation>
     </message>
     <message>
-        <source>a sweep of currents, directions or added inertia are for a motor</source>
-        <translation>ein Durchlauf von Strömen, Richtungen oder eine Zusatzträgheit sind für einen Motor</translation>
-    </message>
-    <message>
         <source>{} = {} must be positive</source>
         <translation>{} = {} muss positiv sein</translation>
     </message>
@@ -1593,14 +1589,6 @@
     <message>
         <source>no base speed from {} to {} rad/s separates the harmonics of the rotation from the lines: a period is only {} s</source>
         <translation>keine Grunddrehzahl von {} bis {} rad/s trennt die Harmonischen der Drehung von den Linien: Eine Periode dauert nur {} s</translation>
-    </message>
-    <message>
-        <source>use another file name</source>
-        <translation>anderen Dateinamen verwenden</translation>
-    </message>
-    <message>
-        <source>--out {} would overwrite the recording</source>
-        <translation>--out {} würde die Aufzeichnung überschreiben</translation>
     </message>
     <message>
         <source>measure the response on this device</source>
@@ -6395,10 +6383,6 @@
         <translation>{} antwortet nicht auf {}</translation>
     </message>
     <message>
-        <source>check the value and the board&apos;s state</source>
-        <translation>prüfen Sie den Wert und den Zustand des Steuergeräts</translation>
-    </message>
-    <message>
         <source>the board did not store its parameters within {} s</source>
         <translation>das Steuergerät hat seine Parameter nicht innerhalb von {} s gespeichert</translation>
     </message>
@@ -9451,12 +9435,48 @@
         <translation>den fließenden Strom mit dem befohlenen vergleichen, denn ein Verstärkungsfehler des Antriebs widerspricht so; dann nur die am besten bekannte Konstante angeben</translation>
     </message>
     <message>
-        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J where phi is given, by as much and shows in no recording</source>
-        <translation>der Strom gilt als der befohlene auf 0,3 %: ein Verstärkungsfehler des Antriebs verschiebt phi, oder J bei gegebenem phi, um ebenso viel und zeigt sich in keiner Aufzeichnung</translation>
+        <source>a sweep of currents, directions, current tolerance or added inertia are for a motor</source>
+        <translation>ein Durchlauf von Strömen, Richtungen, eine Stromtoleranz oder eine Zusatzträgheit sind für einen Motor</translation>
     </message>
     <message>
-        <source>compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
-        <translation>den fließenden Strom mit dem befohlenen vergleichen, oder J und phi beide angeben: das Programm findet dann einen Widerspruch</translation>
+        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J, c and K_f where phi is given, by as much and shows in no recording</source>
+        <translation>der Strom gilt als der befohlene auf 0,3 %: ein Verstärkungsfehler des Antriebs verschiebt phi, oder J, c und K_f bei gegebenem phi, um ebenso viel und zeigt sich in keiner Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>the current is taken as commanded within {} %, as stated: the intervals include a gain error of the drive up to that; a larger one shows in no recording</source>
+        <translation>der Strom gilt wie angegeben als der befohlene auf {} %: die Intervalle enthalten einen Verstärkungsfehler des Antriebs bis dahin; ein größerer zeigt sich in keiner Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>state how well the current is known (--current-tolerance-percent), compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
+        <translation>angeben, wie gut der Strom bekannt ist (--current-tolerance-percent), den fließenden Strom mit dem befohlenen vergleichen, oder J und phi beide angeben: das Programm findet dann einen Widerspruch</translation>
+    </message>
+    <message>
+        <source>the current tolerance is not a finite number</source>
+        <translation>die Stromtoleranz ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>give it in per cent, e.g. 3</source>
+        <translation>sie in Prozent angeben, z. B. 3</translation>
+    </message>
+    <message>
+        <source>a current tolerance of {} % is not possible</source>
+        <translation>eine Stromtoleranz von {} % ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>give 0 to 50 %</source>
+        <translation>0 bis 50 % angeben</translation>
+    </message>
+    <message>
+        <source>the rotor came near standstill: measured with {} of the planned amplitude</source>
+        <translation>der Rotor kam dem Stillstand nahe: gemessen mit dem {}-Fachen der geplanten Amplitude</translation>
+    </message>
+    <message>
+        <source>choose a higher base speed for a larger amplitude</source>
+        <translation>für eine größere Amplitude eine höhere Grunddrehzahl wählen</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state; on a link without checksum, such as tcp:, a command that the line damaged is rejected likewise: check the line too</source>
+        <translation>den Wert und den Zustand des Boards prüfen; auf einer Verbindung ohne Prüfsumme, etwa tcp:, wird ein von der Leitung beschädigter Befehl ebenso abgelehnt: auch die Leitung prüfen</translation>
     </message>
     <message>
         <source>arc</source>
@@ -13081,6 +13101,14 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>Given friction K&lt;sub&gt;f&lt;/sub&gt;</source>
         <translation>Bekannte Reibung K&lt;sub&gt;f&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>Current to&amp;lerance</source>
+        <translation>Stromto&amp;leranz</translation>
+    </message>
+    <message>
+        <source>Limit of the drive&apos;s gain error, in per cent of the current. Empty: the published drive, 0.15 % at one sigma</source>
+        <translation>Grenze des Verstärkungsfehlers des Antriebs, in Prozent des Stroms. Leer: der veröffentlichte Antrieb, 0,15 % bei einem Sigma</translation>
     </message>
 </context>
 <context>

@@ -323,10 +323,6 @@
         <translation>请去掉它们；此设备接受一个轴以及给定的 m 或 Iz</translation>
     </message>
     <message>
-        <source>a sweep of currents, directions or added inertia are for a motor</source>
-        <translation>电流扫描、方向或附加惯量仅适用于电机</translation>
-    </message>
-    <message>
         <source>{} = {} must be positive</source>
         <translation>{} = {} 必须为正</translation>
     </message>
@@ -1593,14 +1589,6 @@
     <message>
         <source>no base speed from {} to {} rad/s separates the harmonics of the rotation from the lines: a period is only {} s</source>
         <translation>{} 至 {} rad/s 的基础转速都无法将转动谐波与谱线分开：一个周期仅 {} s</translation>
-    </message>
-    <message>
-        <source>use another file name</source>
-        <translation>请使用其他文件名</translation>
-    </message>
-    <message>
-        <source>--out {} would overwrite the recording</source>
-        <translation>--out {} 会覆盖该记录</translation>
     </message>
     <message>
         <source>measure the response on this device</source>
@@ -6395,10 +6383,6 @@
         <translation>{} 对 {} 没有应答</translation>
     </message>
     <message>
-        <source>check the value and the board&apos;s state</source>
-        <translation>请检查该值和控制板的状态</translation>
-    </message>
-    <message>
         <source>the board did not store its parameters within {} s</source>
         <translation>控制板在 {} s 内没有保存参数</translation>
     </message>
@@ -9451,12 +9435,48 @@
         <translation>请将实际电流与命令电流比较，因为驱动的增益误差会造成这种矛盾；然后只给出最可靠的常数</translation>
     </message>
     <message>
-        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J where phi is given, by as much and shows in no recording</source>
-        <translation>电流按命令值计，误差在 0.3 % 之内：驱动的增益误差使 phi（给定 phi 时为 J）偏移同样多，且不会显现在任何记录中</translation>
+        <source>a sweep of currents, directions, current tolerance or added inertia are for a motor</source>
+        <translation>电流扫描、方向、电流容差或附加惯量仅适用于电机</translation>
     </message>
     <message>
-        <source>compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
-        <translation>请将实际电流与命令电流比较，或同时给出 J 和 phi：程序随后会发现矛盾</translation>
+        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J, c and K_f where phi is given, by as much and shows in no recording</source>
+        <translation>电流按命令值计，误差在 0.3 % 之内：驱动的增益误差使 phi（给定 phi 时为 J、c 和 K_f）偏移同样多，且不会显现在任何记录中</translation>
+    </message>
+    <message>
+        <source>the current is taken as commanded within {} %, as stated: the intervals include a gain error of the drive up to that; a larger one shows in no recording</source>
+        <translation>电流按所给出的容差计为命令值，误差在 {} % 之内：区间包含不超过它的驱动增益误差；更大的误差不会显现在任何记录中</translation>
+    </message>
+    <message>
+        <source>state how well the current is known (--current-tolerance-percent), compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
+        <translation>请说明对电流的了解程度（--current-tolerance-percent），将实际电流与命令电流比较，或同时给出 J 和 phi：程序随后会发现矛盾</translation>
+    </message>
+    <message>
+        <source>the current tolerance is not a finite number</source>
+        <translation>电流容差不是有限数</translation>
+    </message>
+    <message>
+        <source>give it in per cent, e.g. 3</source>
+        <translation>请以百分数给出，例如 3</translation>
+    </message>
+    <message>
+        <source>a current tolerance of {} % is not possible</source>
+        <translation>电流容差 {} % 不可能</translation>
+    </message>
+    <message>
+        <source>give 0 to 50 %</source>
+        <translation>请给出 0 到 50 %</translation>
+    </message>
+    <message>
+        <source>the rotor came near standstill: measured with {} of the planned amplitude</source>
+        <translation>转子接近静止：以计划幅值的 {} 倍测量</translation>
+    </message>
+    <message>
+        <source>choose a higher base speed for a larger amplitude</source>
+        <translation>如需更大的幅值，请选择更高的基础转速</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state; on a link without checksum, such as tcp:, a command that the line damaged is rejected likewise: check the line too</source>
+        <translation>检查该值和控制板的状态；在没有校验和的连接（如 tcp:）上，被线路损坏的命令同样会被拒绝：也请检查线路</translation>
     </message>
     <message>
         <source>arc</source>
@@ -13076,6 +13096,14 @@ are ramps at jog speed.</source>
     <message>
         <source>Given friction K&lt;sub&gt;f&lt;/sub&gt;</source>
         <translation>已知摩擦 K&lt;sub&gt;f&lt;/sub&gt;</translation>
+    </message>
+    <message>
+        <source>Current to&amp;lerance</source>
+        <translation>电流容差(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Limit of the drive&apos;s gain error, in per cent of the current. Empty: the published drive, 0.15 % at one sigma</source>
+        <translation>驱动增益误差的界限，以电流的百分数计。留空：所发表的驱动，一个 sigma 为 0.15 %</translation>
     </message>
 </context>
 <context>

@@ -40,6 +40,7 @@ constexpr std::array KnownKeys = {
     KeySpec{"identify", "directions", Choice, false, 0, 0, "both|forward|reverse", "directions of the sweep; default both"},
     KeySpec{"identify", "axis", Name, false, 0, 0, "", "axis of a device with several, or all; default all"},
     KeySpec{"identify", "given", Numbers, false, 0, 0, "", "known constants in SI, taken as exact: J, c, Kf, phi of a motor, m or Iz of a platen"},
+    KeySpec{"identify", "current_tolerance_percent", Number, false, 0, 50, "", "limit of the drive's gain error, in per cent of the current; default: 0.15 % at one sigma"},
     KeySpec{"identify", "bare", Name, false, 0, 0, "", "identify step of the same motor without the added inertia"},
     KeySpec{"identify", "added_inertia_kg_m2", Number, false, 1e-12, 1e6, "", "inertia fixed to the rotor since `bare`"},
     KeySpec{"identify", "speed_limit_rad_s", Number, false, 0.1, 1e4, "", "speed window; default 40"},
