@@ -64,6 +64,8 @@ endfunction()
 # output. LABELS night marks a suite that only `./dev test --night` runs. PRECOMPILED as above.
 add_custom_target(unit_tests)  # what runs under the address sanitizer too: the suites without a label
 add_custom_target(night_tests) # what only the night builds
+# A test suite whose name ends in Seeds has many random motors, loops or seeds of noise: it runs as NAME_seeds with
+# the label statistics, which the sanitizers take at night only. Memory errors show in the first seed as in the last.
 function(halbench_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT;PRECOMPILED" "DEPENDS;LABELS;FOLDERS" ${ARGN})
   list(TRANSFORM ARG_FOLDERS APPEND "/*.cpp" OUTPUT_VARIABLE patterns)
@@ -93,7 +95,19 @@ function(halbench_test name)
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 120)
   endif()
-  halbench_test_parts(${name} "${name}" "${ARG_TIMEOUT}" "${ARG_LABELS}" "")
+  set(seeds "")
+  foreach(source ${sources})
+    file(STRINGS ${source} found REGEX "^TEST(_F|_P)?\\([A-Za-z0-9]+Seeds," LIMIT_COUNT 1)
+    list(APPEND seeds ${found})
+  endforeach()
+  if(NOT seeds)
+    halbench_test_parts(${name} "${name}" "${ARG_TIMEOUT}" "${ARG_LABELS}" "")
+    return()
+  endif()
+  halbench_test_parts(${name} "${name}" "${ARG_TIMEOUT}" "${ARG_LABELS}" "GTEST_FILTER=-*Seeds.*")
+  add_test(NAME ${name}_seeds COMMAND test_${name} --gtest_brief=1 --gtest_filter=*Seeds.*)
+  math(EXPR allowed "16 * ${ARG_TIMEOUT}")
+  set_tests_properties(${name}_seeds PROPERTIES TIMEOUT ${allowed} LABELS statistics)
 endfunction()
 
 # halbench_test_parts(gui gui_2x 240 "gui;night" "QT_SCALE_FACTOR=2"): the parts of the program test_gui as tests named

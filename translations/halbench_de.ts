@@ -199,10 +199,6 @@
         <translation>Des Kreises</translation>
     </message>
     <message>
-        <source>Of the circle; its centre lies so far in the direction of x</source>
-        <translation>Des Kreises; sein Mittelpunkt liegt so weit in Richtung x</translation>
-    </message>
-    <message>
         <source>Of the raster</source>
         <translation>Des Rasters</translation>
     </message>
@@ -325,10 +321,6 @@
     <message>
         <source>leave them out; this device takes an axis and a given m or Iz</source>
         <translation>lassen Sie diese weg; dieses Gerät nimmt eine Achse und ein gegebenes m oder Iz</translation>
-    </message>
-    <message>
-        <source>a sweep of currents, directions or added inertia are for a motor</source>
-        <translation>ein Durchlauf von Strömen, Richtungen oder eine Zusatzträgheit sind für einen Motor</translation>
     </message>
     <message>
         <source>{} = {} must be positive</source>
@@ -1597,14 +1589,6 @@
     <message>
         <source>no base speed from {} to {} rad/s separates the harmonics of the rotation from the lines: a period is only {} s</source>
         <translation>keine Grunddrehzahl von {} bis {} rad/s trennt die Harmonischen der Drehung von den Linien: Eine Periode dauert nur {} s</translation>
-    </message>
-    <message>
-        <source>use another file name</source>
-        <translation>anderen Dateinamen verwenden</translation>
-    </message>
-    <message>
-        <source>--out {} would overwrite the recording</source>
-        <translation>--out {} würde die Aufzeichnung überschreiben</translation>
     </message>
     <message>
         <source>measure the response on this device</source>
@@ -3821,10 +3805,6 @@
     <message>
         <source>of a circle</source>
         <translation>eines Kreises</translation>
-    </message>
-    <message>
-        <source>of a circle, whose centre lies so far along the first axis</source>
-        <translation>eines Kreises, dessen Mittelpunkt so weit entlang der ersten Achse liegt</translation>
     </message>
     <message>
         <source>largest jerk of an S-curve or path</source>
@@ -6401,10 +6381,6 @@
     <message>
         <source>{} does not answer {}</source>
         <translation>{} antwortet nicht auf {}</translation>
-    </message>
-    <message>
-        <source>check the value and the board&apos;s state</source>
-        <translation>prüfen Sie den Wert und den Zustand des Steuergeräts</translation>
     </message>
     <message>
         <source>the board did not store its parameters within {} s</source>
@@ -9459,12 +9435,696 @@
         <translation>den fließenden Strom mit dem befohlenen vergleichen, denn ein Verstärkungsfehler des Antriebs widerspricht so; dann nur die am besten bekannte Konstante angeben</translation>
     </message>
     <message>
-        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J where phi is given, by as much and shows in no recording</source>
-        <translation>der Strom gilt als der befohlene auf 0,3 %: ein Verstärkungsfehler des Antriebs verschiebt phi, oder J bei gegebenem phi, um ebenso viel und zeigt sich in keiner Aufzeichnung</translation>
+        <source>a sweep of currents, directions, current tolerance or added inertia are for a motor</source>
+        <translation>ein Durchlauf von Strömen, Richtungen, eine Stromtoleranz oder eine Zusatzträgheit sind für einen Motor</translation>
     </message>
     <message>
-        <source>compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
-        <translation>den fließenden Strom mit dem befohlenen vergleichen, oder J und phi beide angeben: das Programm findet dann einen Widerspruch</translation>
+        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J, c and K_f where phi is given, by as much and shows in no recording</source>
+        <translation>der Strom gilt als der befohlene auf 0,3 %: ein Verstärkungsfehler des Antriebs verschiebt phi, oder J, c und K_f bei gegebenem phi, um ebenso viel und zeigt sich in keiner Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>the current is taken as commanded within {} %, as stated: the intervals include a gain error of the drive up to that; a larger one shows in no recording</source>
+        <translation>der Strom gilt wie angegeben als der befohlene auf {} %: die Intervalle enthalten einen Verstärkungsfehler des Antriebs bis dahin; ein größerer zeigt sich in keiner Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>state how well the current is known (--current-tolerance-percent), compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
+        <translation>angeben, wie gut der Strom bekannt ist (--current-tolerance-percent), den fließenden Strom mit dem befohlenen vergleichen, oder J und phi beide angeben: das Programm findet dann einen Widerspruch</translation>
+    </message>
+    <message>
+        <source>the current tolerance is not a finite number</source>
+        <translation>die Stromtoleranz ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>give it in per cent, e.g. 3</source>
+        <translation>sie in Prozent angeben, z. B. 3</translation>
+    </message>
+    <message>
+        <source>a current tolerance of {} % is not possible</source>
+        <translation>eine Stromtoleranz von {} % ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>give 0 to 50 %</source>
+        <translation>0 bis 50 % angeben</translation>
+    </message>
+    <message>
+        <source>the rotor came near standstill: measured with {} of the planned amplitude</source>
+        <translation>der Rotor kam dem Stillstand nahe: gemessen mit dem {}-Fachen der geplanten Amplitude</translation>
+    </message>
+    <message>
+        <source>choose a higher base speed for a larger amplitude</source>
+        <translation>für eine größere Amplitude eine höhere Grunddrehzahl wählen</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state; on a link without checksum, such as tcp:, a command that the line damaged is rejected likewise: check the line too</source>
+        <translation>den Wert und den Zustand des Boards prüfen; auf einer Verbindung ohne Prüfsumme, etwa tcp:, wird ein von der Leitung beschädigter Befehl ebenso abgelehnt: auch die Leitung prüfen</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Of the circle, whose centre lies so far in the direction of x, or of the arc</source>
+        <translation>Des Kreises, dessen Mittelpunkt so weit in Richtung x liegt, oder des Bogens</translation>
+    </message>
+    <message>
+        <source>Of the arc, counter-clockwise</source>
+        <translation>Des Bogens, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Direction in which arc and line begin, from x towards y</source>
+        <translation>Richtung, in der Bogen und Strecke beginnen, von x nach y</translation>
+    </message>
+    <message>
+        <source>Of the line</source>
+        <translation>Der Strecke</translation>
+    </message>
+    <message>
+        <source>of a circle, whose centre lies so far along the first axis, or of an arc</source>
+        <translation>eines Kreises, dessen Mittelpunkt so weit entlang der ersten Achse liegt, oder eines Bogens</translation>
+    </message>
+    <message>
+        <source>of an arc, counter-clockwise</source>
+        <translation>eines Bogens, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>direction in which arc and line begin, from the first axis to the second</source>
+        <translation>Richtung, in der Bogen und Strecke beginnen, von der ersten Achse zur zweiten</translation>
+    </message>
+    <message>
+        <source>of a line</source>
+        <translation>einer Strecke</translation>
+    </message>
+    <message>
+        <source>the heading of a path is not a number</source>
+        <translation>die Anfangsrichtung einer Bahn ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Give a finite angle.</source>
+        <translation>Einen endlichen Winkel angeben.</translation>
+    </message>
+    <message>
+        <source>noise and drawn errors of this specimen</source>
+        <translation>Rauschen und gezogene Fehler dieses Exemplars</translation>
+    </message>
+    <message>
+        <source>noise, sensor errors and spread</source>
+        <translation>Rauschen, Sensorfehler und Streuung</translation>
+    </message>
+    <message>
+        <source>converters and amplifiers, or exact values</source>
+        <translation>Wandler und Verstärker, oder genaue Werte</translation>
+    </message>
+    <message>
+        <source>motion: CSV file of poses</source>
+        <translation>Bewegung: CSV-Datei der Lagen</translation>
+    </message>
+    <message>
+        <source>rotor inertia</source>
+        <translation>Trägheitsmoment des Rotors</translation>
+    </message>
+    <message>
+        <source>torque per ampere of current amplitude</source>
+        <translation>Drehmoment je Ampere Stromamplitude</translation>
+    </message>
+    <message>
+        <source>current amplitude limit</source>
+        <translation>Grenze der Stromamplitude</translation>
+    </message>
+    <message>
+        <source>field amplitude at the Hall sensors</source>
+        <translation>Feldamplitude an den Hall-Sensoren</translation>
+    </message>
+    <message>
+        <source>resistance of one phase</source>
+        <translation>Widerstand einer Phase</translation>
+    </message>
+    <message>
+        <source>inductance of one phase</source>
+        <translation>Induktivität einer Phase</translation>
+    </message>
+    <message>
+        <source>rotor angle at the start</source>
+        <translation>Rotorwinkel zu Beginn</translation>
+    </message>
+    <message>
+        <source>amplifier resistor R{}</source>
+        <translation>Verstärkerwiderstand R{}</translation>
+    </message>
+    <message>
+        <source>amplifier current shunt</source>
+        <translation>Messwiderstand des Verstärkers</translation>
+    </message>
+    <message>
+        <source>amplifier capacitor C{}</source>
+        <translation>Verstärkerkondensator C{}</translation>
+    </message>
+    <message>
+        <source>Hall sensitivity at 25 degC</source>
+        <translation>Hall-Empfindlichkeit bei 25 °C</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of the Hall sensitivity</source>
+        <translation>Temperaturkoeffizient der Hall-Empfindlichkeit</translation>
+    </message>
+    <message>
+        <source>Hall output at zero field</source>
+        <translation>Hall-Ausgang ohne Feld</translation>
+    </message>
+    <message>
+        <source>field of a phase at its own sensor</source>
+        <translation>Feld einer Phase am eigenen Sensor</translation>
+    </message>
+    <message>
+        <source>computation delay of the position loop</source>
+        <translation>Rechentotzeit des Lageregelkreises</translation>
+    </message>
+    <message>
+        <source>relative run-to-run friction scatter, 1 sigma</source>
+        <translation>relative Reibungsstreuung von Lauf zu Lauf, 1 sigma</translation>
+    </message>
+    <message>
+        <source>relative once-per-turn friction, amplitude</source>
+        <translation>relative Reibung einmal je Umdrehung, Amplitude</translation>
+    </message>
+    <message>
+        <source>static over kinetic friction</source>
+        <translation>Haft- zu Gleitreibung</translation>
+    </message>
+    <message>
+        <source>speed at which static friction fades</source>
+        <translation>Drehzahl, bei der die Haftreibung abklingt</translation>
+    </message>
+    <message>
+        <source>Hall noise per sample, rms</source>
+        <translation>Hall-Rauschen je Abtastung, Effektivwert</translation>
+    </message>
+    <message>
+        <source>zero offset of both sensors; drawn for each if not given</source>
+        <translation>Nullpunktfehler beider Sensoren; ohne Angabe je Sensor gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn offsets, 1 sigma</source>
+        <translation>Streuung der gezogenen Nullpunktfehler, 1 sigma</translation>
+    </message>
+    <message>
+        <source>gain of sensor a over sensor b, minus one; drawn for each if not given</source>
+        <translation>Verstärkung von Sensor a zu Sensor b, minus eins; ohne Angabe je Sensor gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gains, 1 sigma</source>
+        <translation>Streuung der gezogenen Verstärkungen, 1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn linearity errors</source>
+        <translation>Streuung der gezogenen Linearitätsfehler</translation>
+    </message>
+    <message>
+        <source>angle error between the sensors; drawn if not given</source>
+        <translation>Winkelfehler zwischen den Sensoren; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn angle error</source>
+        <translation>Streuung des gezogenen Winkelfehlers</translation>
+    </message>
+    <message>
+        <source>spread of the sensors&apos; radius</source>
+        <translation>Streuung des Sensorradius</translation>
+    </message>
+    <message>
+        <source>remanence scatter of the bars, 1 sigma; their angle scatter goes with it (0.02: 1 deg)</source>
+        <translation>Remanenzstreuung der Stäbe, 1 sigma; ihre Winkelstreuung geht mit (0,02: 1 Grad)</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of field and torque</source>
+        <translation>Temperaturkoeffizient von Feld und Drehmoment</translation>
+    </message>
+    <message>
+        <source>ambient temperature</source>
+        <translation>Umgebungstemperatur</translation>
+    </message>
+    <message>
+        <source>share of the coil&apos;s rise at its sensor</source>
+        <translation>Anteil der Spulenerwärmung am Sensor</translation>
+    </message>
+    <message>
+        <source>error of both temperature sensors; drawn for each if not given</source>
+        <translation>Fehler beider Temperatursensoren; ohne Angabe je Sensor gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors</source>
+        <translation>Streuung der gezogenen Temperaturfehler</translation>
+    </message>
+    <message>
+        <source>heat capacity of one phase</source>
+        <translation>Wärmekapazität einer Phase</translation>
+    </message>
+    <message>
+        <source>from one phase to ambient</source>
+        <translation>von einer Phase zur Umgebung</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of the resistance</source>
+        <translation>Temperaturkoeffizient des Widerstands</translation>
+    </message>
+    <message>
+        <source>thermal seconds per second; 0: no heating</source>
+        <translation>thermische Sekunden je Sekunde; 0: keine Erwärmung</translation>
+    </message>
+    <message>
+        <source>gain error of both outputs; drawn if not given</source>
+        <translation>Verstärkungsfehler beider Ausgänge; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gain errors, 1 sigma</source>
+        <translation>Streuung der gezogenen Verstärkungsfehler, 1 sigma</translation>
+    </message>
+    <message>
+        <source>integral non-linearity of both outputs; drawn if not given</source>
+        <translation>integrale Nichtlinearität beider Ausgänge; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>largest drawn non-linearity</source>
+        <translation>größte gezogene Nichtlinearität</translation>
+    </message>
+    <message>
+        <source>{}&apos; gain error of chip {}; drawn if not given</source>
+        <translation>Verstärkungsfehler {}&apos; von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>{}&apos; zero offset of chip {}; drawn if not given</source>
+        <translation>Nullpunktfehler {}&apos; von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>share of {}&apos; in {}&apos; of chip {}; drawn if not given</source>
+        <translation>Anteil von {}&apos; in {}&apos; von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>{}&apos; place error of chip {}; drawn if not given</source>
+        <translation>Ortsfehler {}&apos; von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>height error of chip {}; drawn if not given</source>
+        <translation>Höhenfehler von Chip {}; ohne Angabe gezogen</translation>
+    </message>
+    <message>
+        <source>real centre of mass along {}&apos;</source>
+        <translation>wahrer Schwerpunkt entlang {}&apos;</translation>
+    </message>
+    <message>
+        <source>rotation at the start</source>
+        <translation>Drehung zu Beginn</translation>
+    </message>
+    <message>
+        <source>pitch of the magnet matrix</source>
+        <translation>Teilung der Magnetmatrix</translation>
+    </message>
+    <message>
+        <source>height of the magnet blocks</source>
+        <translation>Höhe der Magnetblöcke</translation>
+    </message>
+    <message>
+        <source>peak magnetisation of one array</source>
+        <translation>Spitzenmagnetisierung eines Arrays</translation>
+    </message>
+    <message>
+        <source>edge of the magnet matrix in pitches</source>
+        <translation>Kantenlänge der Magnetmatrix in Teilungen</translation>
+    </message>
+    <message>
+        <source>width of a coil&apos;s winding</source>
+        <translation>Breite einer Spulenwicklung</translation>
+    </message>
+    <message>
+        <source>height of a coil&apos;s winding</source>
+        <translation>Höhe einer Spulenwicklung</translation>
+    </message>
+    <message>
+        <source>turns per width</source>
+        <translation>Windungen je Breite</translation>
+    </message>
+    <message>
+        <source>layers per height</source>
+        <translation>Lagen je Höhe</translation>
+    </message>
+    <message>
+        <source>gap from the magnets to the coils</source>
+        <translation>Spalt zwischen Magneten und Spulen</translation>
+    </message>
+    <message>
+        <source>arm of coils 5 and 6</source>
+        <translation>Hebelarm der Spulen 5 und 6</translation>
+    </message>
+    <message>
+        <source>resistance of a coil</source>
+        <translation>Widerstand einer Spule</translation>
+    </message>
+    <message>
+        <source>inductance of a coil</source>
+        <translation>Induktivität einer Spule</translation>
+    </message>
+    <message>
+        <source>current limit of a coil</source>
+        <translation>Stromgrenze einer Spule</translation>
+    </message>
+    <message>
+        <source>force of coil {} over its nominal one</source>
+        <translation>Kraft der Spule {} zu ihrer Nennkraft</translation>
+    </message>
+    <message>
+        <source>current per volt of an amplifier</source>
+        <translation>Strom je Volt eines Verstärkers</translation>
+    </message>
+    <message>
+        <source>bandwidth of an amplifier</source>
+        <translation>Bandbreite eines Verstärkers</translation>
+    </message>
+    <message>
+        <source>largest voltage at a coil</source>
+        <translation>größte Spannung an einer Spule</translation>
+    </message>
+    <message>
+        <source>output resistance of an amplifier</source>
+        <translation>Ausgangswiderstand eines Verstärkers</translation>
+    </message>
+    <message>
+        <source>resolution of the outputs</source>
+        <translation>Auflösung der Ausgänge</translation>
+    </message>
+    <message>
+        <source>range of the outputs, plus and minus</source>
+        <translation>Bereich der Ausgänge, plus und minus</translation>
+    </message>
+    <message>
+        <source>in-plane field amplitude at the chips</source>
+        <translation>Feldamplitude in der Ebene an den Chips</translation>
+    </message>
+    <message>
+        <source>place of chip {} along {}&apos;</source>
+        <translation>Ort von Chip {} entlang {}&apos;</translation>
+    </message>
+    <message>
+        <source>Hall noise per reading, rms</source>
+        <translation>Hall-Rauschen je Messwert, Effektivwert</translation>
+    </message>
+    <message>
+        <source>field at which a chip clips</source>
+        <translation>Feld, bei dem ein Chip begrenzt</translation>
+    </message>
+    <message>
+        <source>sensitivity after conditioning</source>
+        <translation>Empfindlichkeit nach der Aufbereitung</translation>
+    </message>
+    <message>
+        <source>resolution of the inputs</source>
+        <translation>Auflösung der Eingänge</translation>
+    </message>
+    <message>
+        <source>range of the inputs, plus and minus</source>
+        <translation>Bereich der Eingänge, plus und minus</translation>
+    </message>
+    <message>
+        <source>field of the coils at the chips over the calculated one</source>
+        <translation>Feld der Spulen an den Chips zum berechneten</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares</source>
+        <translation>Streuung der gezogenen Queranteile</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places</source>
+        <translation>Streuung der gezogenen Orte</translation>
+    </message>
+    <message>
+        <source>spread of the drawn heights</source>
+        <translation>Streuung der gezogenen Höhen</translation>
+    </message>
+    <message>
+        <source>stiffness of the cable</source>
+        <translation>Steifigkeit des Kabels</translation>
+    </message>
+    <message>
+        <source>torsion of the cable</source>
+        <translation>Torsionssteifigkeit des Kabels</translation>
+    </message>
+    <message>
+        <source>anchor of the cable along {}&apos;</source>
+        <translation>Befestigung des Kabels entlang {}&apos;</translation>
+    </message>
+    <message>
+        <source>slow random force per axis, rms</source>
+        <translation>langsame Zufallskraft je Achse, Effektivwert</translation>
+    </message>
+    <message>
+        <source>corner of the slow random force</source>
+        <translation>Eckfrequenz der langsamen Zufallskraft</translation>
+    </message>
+    <message>
+        <source>damping of the motion in the plane</source>
+        <translation>Dämpfung der Bewegung in der Ebene</translation>
+    </message>
+    <message>
+        <source>damping of the rotation</source>
+        <translation>Dämpfung der Drehung</translation>
+    </message>
+    <message>
+        <source>travel from the middle to a stop</source>
+        <translation>Weg von der Mitte bis zum Anschlag</translation>
+    </message>
+    <message>
+        <source>rotation from the middle to a stop</source>
+        <translation>Drehung von der Mitte bis zum Anschlag</translation>
+    </message>
+    <message>
+        <source>stiffness of the stops</source>
+        <translation>Steifigkeit der Anschläge</translation>
+    </message>
+    <message>
+        <source>stiffness of the stops in angle</source>
+        <translation>Drehsteifigkeit der Anschläge</translation>
+    </message>
+    <message>
+        <source>damping of the stops over the critical one</source>
+        <translation>Dämpfung der Anschläge zur kritischen</translation>
+    </message>
+    <message>
+        <source>stiffness of each air bearing</source>
+        <translation>Steifigkeit jedes Luftlagers</translation>
+    </message>
+    <message>
+        <source>heat capacity of a coil</source>
+        <translation>Wärmekapazität einer Spule</translation>
+    </message>
+    <message>
+        <source>from a coil to ambient</source>
+        <translation>von einer Spule zur Umgebung</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensors; drawn for each if not given</source>
+        <translation>Fehler der Temperatursensoren; ohne Angabe je Sensor gezogen</translation>
+    </message>
+    <message>
+        <source>gain error of sensor {} along {}; drawn</source>
+        <translation>Verstärkungsfehler von Sensor {} entlang {}; gezogen</translation>
+    </message>
+    <message>
+        <source>offset of sensor {} along {}; drawn</source>
+        <translation>Nullpunktfehler von Sensor {} entlang {}; gezogen</translation>
+    </message>
+    <message>
+        <source>mounting error of sensor {} about stator {}; drawn</source>
+        <translation>Einbaufehler von Sensor {} um Stator {}; gezogen</translation>
+    </message>
+    <message>
+        <source>place error of sensor {} along stator {}; drawn</source>
+        <translation>Ortsfehler von Sensor {} entlang Stator {}; gezogen</translation>
+    </message>
+    <message>
+        <source>placement of sensor {} about {}</source>
+        <translation>Anordnung von Sensor {} um {}</translation>
+    </message>
+    <message>
+        <source>channel R of sensor {}: 0 none, 1 dead, 2 stuck</source>
+        <translation>Kanal R von Sensor {}: 0 fehlerfrei, 1 tot, 2 eingefroren</translation>
+    </message>
+    <message>
+        <source>channel {} of sensor {}, likewise</source>
+        <translation>Kanal {} von Sensor {}, ebenso</translation>
+    </message>
+    <message>
+        <source>outer radius of the rotor</source>
+        <translation>Außenradius des Rotors</translation>
+    </message>
+    <message>
+        <source>radius of the rotor&apos;s core</source>
+        <translation>Radius des Rotorkerns</translation>
+    </message>
+    <message>
+        <source>pole angle of the magnet</source>
+        <translation>Polwinkel des Magneten</translation>
+    </message>
+    <message>
+        <source>remanence</source>
+        <translation>Remanenz</translation>
+    </message>
+    <message>
+        <source>relative recoil permeability</source>
+        <translation>relative permanente Permeabilität</translation>
+    </message>
+    <message>
+        <source>relative permeability of the core</source>
+        <translation>relative Permeabilität des Kerns</translation>
+    </message>
+    <message>
+        <source>azimuthal coefficient</source>
+        <translation>azimutaler Koeffizient</translation>
+    </message>
+    <message>
+        <source>device model: 0 exact, 1 additive angles as published</source>
+        <translation>Gerätemodell: 0 exakt, 1 additive Winkel wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>distance of the sensors from the centre</source>
+        <translation>Abstand der Sensoren vom Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
+        <translation>Sensorachsen: 0 zyx, 1 xyz, 2 ohne Rollen</translation>
+    </message>
+    <message>
+        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
+        <translation>weitere Harmonische: 0 keine, 1 wie Finite Elemente, 2 Belastung</translation>
+    </message>
+    <message>
+        <source>harmonic ({}) at 50 mm instead of the preset&apos;s</source>
+        <translation>Harmonische ({}) bei 50 mm statt der Voreinstellung</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares, 1 sigma</source>
+        <translation>Streuung der gezogenen Queranteile, 1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn mounting angles, 1 sigma</source>
+        <translation>Streuung der gezogenen Einbauwinkel, 1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places, 1 sigma</source>
+        <translation>Streuung der gezogenen Orte, 1 sigma</translation>
+    </message>
+    <message>
+        <source>noise of a reading, rms</source>
+        <translation>Rauschen eines Messwerts, Effektivwert</translation>
+    </message>
+    <message>
+        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
+        <translation>Wandler: 0 12 Bit 300 mT, 1 400 mT, 2 98 µT bis 130 mT, 3 100 mT</translation>
+    </message>
+    <message>
+        <source>uniform stray field along {}</source>
+        <translation>gleichförmiges Streufeld entlang {}</translation>
+    </message>
+    <message>
+        <source>place of the stator coil, from {}</source>
+        <translation>Ort der Statorspule, von {} aus</translation>
+    </message>
+    <message>
+        <source>distance of the coil&apos;s centre</source>
+        <translation>Abstand der Spulenmitte</translation>
+    </message>
+    <message>
+        <source>radius of the stator coil</source>
+        <translation>Radius der Statorspule</translation>
+    </message>
+    <message>
+        <source>turns of the stator coil</source>
+        <translation>Windungen der Statorspule</translation>
+    </message>
+    <message>
+        <source>current of the stator coil</source>
+        <translation>Strom der Statorspule</translation>
+    </message>
+    <message>
+        <source>temperature at the start</source>
+        <translation>Temperatur zu Beginn</translation>
+    </message>
+    <message>
+        <source>final rise of the magnet</source>
+        <translation>Enderwärmung des Magneten</translation>
+    </message>
+    <message>
+        <source>time constant of the rise</source>
+        <translation>Zeitkonstante der Erwärmung</translation>
+    </message>
+    <message>
+        <source>relative change of the field with temperature</source>
+        <translation>relative Änderung des Felds mit der Temperatur</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensor; drawn</source>
+        <translation>Fehler des Temperatursensors; gezogen</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors, 1 sigma</source>
+        <translation>Streuung der gezogenen Temperaturfehler, 1 sigma</translation>
+    </message>
+    <message>
+        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
+        <translation>0 Sollwert, 1 bis 4 veröffentlichte Bahn, 5 Taumeln, 6 Irrfahrt</translation>
+    </message>
+    <message>
+        <source>start, rotation about {}</source>
+        <translation>Beginn, Drehung um {}</translation>
+    </message>
+    <message>
+        <source>start, spin about the shaft</source>
+        <translation>Beginn, Drehung um die Welle</translation>
+    </message>
+    <message>
+        <source>rate towards a set-point, spin of tumbling</source>
+        <translation>Drehrate zum Sollwert, Eigendrehung beim Taumeln</translation>
+    </message>
+    <message>
+        <source>spin along the published trajectories</source>
+        <translation>Eigendrehung entlang der veröffentlichten Bahnen</translation>
+    </message>
+    <message>
+        <source>time between two published samples</source>
+        <translation>Zeit zwischen zwei veröffentlichten Punkten</translation>
+    </message>
+    <message>
+        <source>tilt of tumbling, limit of the random walk</source>
+        <translation>Neigung beim Taumeln, Grenze der Irrfahrt</translation>
+    </message>
+    <message>
+        <source>frequency of tumbling about {}</source>
+        <translation>Taumelfrequenz um {}</translation>
+    </message>
+    <message>
+        <source>random walk: rms of an axis after one second</source>
+        <translation>Irrfahrt: Effektivwert einer Achse nach einer Sekunde</translation>
+    </message>
+    <message>
+        <source>x at the start</source>
+        <translation>x zu Beginn</translation>
+    </message>
+    <message>
+        <source>y at the start</source>
+        <translation>y zu Beginn</translation>
+    </message>
+    <message>
+        <source>asymmetry of friction, (Kf+ - Kf-)/(Kf+ + Kf-)</source>
+        <translation>Asymmetrie der Reibung, (Kf+ - Kf-)/(Kf+ + Kf-)</translation>
+    </message>
+    <message>
+        <source>Viscous damping</source>
+        <translation>Viskose Dämpfung</translation>
+    </message>
+    <message>
+        <source>Torque constant</source>
+        <translation>Drehmomentkonstante</translation>
     </message>
 </context>
 <context>
@@ -9718,6 +10378,10 @@
     <message>
         <source>The rotor moves (Ctrl+Return); Esc stops it</source>
         <translation>Der Rotor bewegt sich (Strg+Eingabe); Esc stoppt ihn</translation>
+    </message>
+    <message>
+        <source>Identify next</source>
+        <translation>Weiter: identifizieren</translation>
     </message>
 </context>
 <context>
@@ -10635,6 +11299,14 @@ Firmware %2</translation>
         <source>Connection lost. Reconnecting to %1…</source>
         <translation>Verbindung verloren. Verbindet erneut mit %1 …</translation>
     </message>
+    <message>
+        <source>Simulation options…</source>
+        <translation>Optionen der Simulation…</translation>
+    </message>
+    <message>
+        <source>Values of the simulated actuator: motion, noise, faults…</source>
+        <translation>Werte des simulierten Aktors: Bewegung, Rauschen, Fehler…</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -11542,10 +12214,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <translation>Gewicht auf K_D: 0 ignoriert einen Sollwertsprung, 1 lässt ihn ganz durch</translation>
     </message>
     <message>
-        <source>For analysis and C export. Applied only if the device&apos;s control law supports them.</source>
-        <translation>Für Analyse und C-Export. Werden nur übernommen, wenn das Regelgesetz des Geräts sie unterstützt.</translation>
-    </message>
-    <message>
         <source>Set-point weights, derivative filter and series filters</source>
         <translation>Sollwertgewichtung, Filter des D-Anteils und Filter in Reihe</translation>
     </message>
@@ -11720,6 +12388,22 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>Coefficient of 1 in the denominator</source>
         <translation>Koeffizient von 1 im Nenner</translation>
+    </message>
+    <message>
+        <source>For analysis and C export. A connected device may run them as well.</source>
+        <translation>Für Analyse und C-Export. Ein verbundenes Gerät kann sie eventuell auch ausführen.</translation>
+    </message>
+    <message>
+        <source>This device runs them, with up to %1 filters.</source>
+        <translation>Dieses Gerät führt sie aus, mit bis zu %1 Filtern.</translation>
+    </message>
+    <message>
+        <source>This device runs a part of them; the others are for analysis and C export only.</source>
+        <translation>Dieses Gerät führt einen Teil davon aus; die übrigen dienen nur der Analyse und dem C-Export.</translation>
+    </message>
+    <message>
+        <source>This device does not run them: for analysis and C export only.</source>
+        <translation>Dieses Gerät führt sie nicht aus: nur für Analyse und C-Export.</translation>
     </message>
 </context>
 <context>
@@ -12418,6 +13102,14 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <source>Given friction K&lt;sub&gt;f&lt;/sub&gt;</source>
         <translation>Bekannte Reibung K&lt;sub&gt;f&lt;/sub&gt;</translation>
     </message>
+    <message>
+        <source>Current to&amp;lerance</source>
+        <translation>Stromto&amp;leranz</translation>
+    </message>
+    <message>
+        <source>Limit of the drive&apos;s gain error, in per cent of the current. Empty: the published drive, 0.15 % at one sigma</source>
+        <translation>Grenze des Verstärkungsfehlers des Antriebs, in Prozent des Stroms. Leer: der veröffentlichte Antrieb, 0,15 % bei einem Sigma</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentifyPanel</name>
@@ -12628,10 +13320,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <translation>Gut: Das Modell passt zu den Daten</translation>
     </message>
     <message>
-        <source>Device stops at %1 rad/s. Gains and limits are always restored.</source>
-        <translation>Das Gerät stoppt bei %1 rad/s. Reglerparameter und Grenzwerte werden immer wiederhergestellt.</translation>
-    </message>
-    <message>
         <source>Current up to %1 A. The run pauses for cooling if the coils come near %2 °C.</source>
         <translation>Strom bis %1 A. Der Lauf pausiert zum Abkühlen, wenn die Spulen nahe %2 °C kommen.</translation>
     </message>
@@ -12666,10 +13354,6 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>in reverse</source>
         <translation>rückwärts</translation>
-    </message>
-    <message>
-        <source>The rotor will turn %1, about %2 turns in all, at up to %3 rad/s (%4 r/min), for %5 minutes of device time.</source>
-        <translation>Der Rotor dreht sich %1, insgesamt etwa %2 Umdrehungen, mit bis zu %3 rad/s (%4 1/min), %5 Minuten Gerätezeit lang.</translation>
     </message>
     <message>
         <source>viscous damping c</source>
@@ -12738,6 +13422,14 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>coils up to %1 °C</source>
         <translation>Spulen bis %1 °C</translation>
+    </message>
+    <message>
+        <source>The rotor will turn %1, about %2 turns in all, at up to %3, for %4 minutes of device time.</source>
+        <translation>Der Rotor dreht sich %1, insgesamt etwa %2 Umdrehungen, mit bis zu %3, %4 Minuten Gerätezeit lang.</translation>
+    </message>
+    <message>
+        <source>Device stops at %1. Gains and limits are always restored.</source>
+        <translation>Das Gerät stoppt bei %1. Reglerparameter und Grenzwerte werden immer wiederhergestellt.</translation>
     </message>
 </context>
 <context>
@@ -16863,7 +17555,7 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     </message>
     <message>
         <source>Gain so&amp;urce</source>
-        <translation>Herk&amp;unft der Reglerparameter</translation>
+        <translation>Reglerparameter a&amp;us</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -17436,6 +18128,14 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>They are saved as design &apos;%1&apos;. To use them: Use this design, then Apply and verify.</source>
         <translation>Sie sind als Entwurf „%1“ gespeichert. Verwenden: „Entwurf verwenden“, dann „Übernehmen, prüfen“.</translation>
+    </message>
+    <message>
+        <source>Drive the motor</source>
+        <translation>Motor bewegen</translation>
+    </message>
+    <message>
+        <source>Open Parameters</source>
+        <translation>Parameter öffnen</translation>
     </message>
 </context>
 <context>
@@ -19290,14 +19990,6 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
         <translation>%1; Feld: %2</translation>
     </message>
     <message>
-        <source>a</source>
-        <translation>a</translation>
-    </message>
-    <message>
-        <source>b</source>
-        <translation>b</translation>
-    </message>
-    <message>
         <source>A</source>
         <translation>A</translation>
     </message>
@@ -19332,6 +20024,14 @@ Hall B
 %1
 Hall B
 %2</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>Hall A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>Hall B</translation>
     </message>
 </context>
 <context>
@@ -20514,6 +21214,18 @@ Hall B
         <source>Time constant of the derivative&apos;s filter</source>
         <translation>Zeitkonstante des Filters am D-Anteil</translation>
     </message>
+    <message>
+        <source>Weight b</source>
+        <translation>Gewicht b</translation>
+    </message>
+    <message>
+        <source>Weight c</source>
+        <translation>Gewicht c</translation>
+    </message>
+    <message>
+        <source>Filter T_f</source>
+        <translation>Filter T_f</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::AxisResponseButton</name>
@@ -20745,12 +21457,12 @@ Hall B
 <context>
     <name>halbench::app::TurnText</name>
     <message>
-        <source>The rotor will turn in reverse at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
-        <translation>Der Rotor wird sich rückwärts mit %1 rad/s (%2 1/min) drehen, etwa %3 Umdrehungen, %4 Minuten Gerätezeit lang.</translation>
+        <source>The rotor will turn in reverse at %1 rad/s, about %2 turns, for %3 minutes of device time.</source>
+        <translation>Der Rotor wird sich rückwärts mit %1 rad/s drehen, etwa %2 Umdrehungen, %3 Minuten Gerätezeit lang.</translation>
     </message>
     <message>
-        <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
-        <translation>Der Rotor wird sich vorwärts mit %1 rad/s (%2 1/min) drehen, etwa %3 Umdrehungen, %4 Minuten Gerätezeit lang.</translation>
+        <source>The rotor will turn forward at %1 rad/s, about %2 turns, for %3 minutes of device time.</source>
+        <translation>Der Rotor wird sich vorwärts mit %1 rad/s drehen, etwa %2 Umdrehungen, %3 Minuten Gerätezeit lang.</translation>
     </message>
 </context>
 <context>
@@ -21219,6 +21931,88 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>Drehung von der X-Achse zum Ort des Sensors</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SimulationOptionsDialog</name>
+    <message>
+        <source>Simulation options</source>
+        <translation>Optionen der Simulation</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Filter by name or meaning</source>
+        <translation>Nach Name oder Bedeutung filtern</translation>
+    </message>
+    <message>
+        <source>Write the options into the address</source>
+        <translation>Optionen in die Adresse schreiben</translation>
+    </message>
+    <message>
+        <source>Standard values</source>
+        <translation>Standardwerte</translation>
+    </message>
+    <message>
+        <source>Remove all options</source>
+        <translation>Alle Optionen entfernen</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>random</source>
+        <translation>zufällig</translation>
+    </message>
+    <message>
+        <source>Enter a value of the range, or leave the cell empty.</source>
+        <translation>Einen Wert des Bereichs eingeben oder das Feld leer lassen.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::HallTraceView</name>
+    <message>
+        <source>Hall A</source>
+        <translation>Hall A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>Hall B</translation>
+    </message>
+    <message>
+        <source>Hall readings over a turn</source>
+        <translation>Hall-Messwerte über eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>Hall B over Hall A, the newest reading at each angle</source>
+        <translation>Hall B über Hall A, neuester Messwert je Winkel</translation>
     </message>
 </context>
 </TS>

@@ -199,10 +199,6 @@
         <translation>圆的</translation>
     </message>
     <message>
-        <source>Of the circle; its centre lies so far in the direction of x</source>
-        <translation>圆的半径；圆心沿 x 方向相距此值</translation>
-    </message>
-    <message>
         <source>Of the raster</source>
         <translation>光栅的</translation>
     </message>
@@ -325,10 +321,6 @@
     <message>
         <source>leave them out; this device takes an axis and a given m or Iz</source>
         <translation>请去掉它们；此设备接受一个轴以及给定的 m 或 Iz</translation>
-    </message>
-    <message>
-        <source>a sweep of currents, directions or added inertia are for a motor</source>
-        <translation>电流扫描、方向或附加惯量仅适用于电机</translation>
     </message>
     <message>
         <source>{} = {} must be positive</source>
@@ -1597,14 +1589,6 @@
     <message>
         <source>no base speed from {} to {} rad/s separates the harmonics of the rotation from the lines: a period is only {} s</source>
         <translation>{} 至 {} rad/s 的基础转速都无法将转动谐波与谱线分开：一个周期仅 {} s</translation>
-    </message>
-    <message>
-        <source>use another file name</source>
-        <translation>请使用其他文件名</translation>
-    </message>
-    <message>
-        <source>--out {} would overwrite the recording</source>
-        <translation>--out {} 会覆盖该记录</translation>
     </message>
     <message>
         <source>measure the response on this device</source>
@@ -3821,10 +3805,6 @@
     <message>
         <source>of a circle</source>
         <translation>圆的圈数</translation>
-    </message>
-    <message>
-        <source>of a circle, whose centre lies so far along the first axis</source>
-        <translation>圆的半径，圆心沿第一轴相距此值</translation>
     </message>
     <message>
         <source>largest jerk of an S-curve or path</source>
@@ -6401,10 +6381,6 @@
     <message>
         <source>{} does not answer {}</source>
         <translation>{} 对 {} 没有应答</translation>
-    </message>
-    <message>
-        <source>check the value and the board&apos;s state</source>
-        <translation>请检查该值和控制板的状态</translation>
     </message>
     <message>
         <source>the board did not store its parameters within {} s</source>
@@ -9459,12 +9435,696 @@
         <translation>请将实际电流与命令电流比较，因为驱动的增益误差会造成这种矛盾；然后只给出最可靠的常数</translation>
     </message>
     <message>
-        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J where phi is given, by as much and shows in no recording</source>
-        <translation>电流按命令值计，误差在 0.3 % 之内：驱动的增益误差使 phi（给定 phi 时为 J）偏移同样多，且不会显现在任何记录中</translation>
+        <source>a sweep of currents, directions, current tolerance or added inertia are for a motor</source>
+        <translation>电流扫描、方向、电流容差或附加惯量仅适用于电机</translation>
     </message>
     <message>
-        <source>compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
-        <translation>请将实际电流与命令电流比较，或同时给出 J 和 phi：程序随后会发现矛盾</translation>
+        <source>the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J, c and K_f where phi is given, by as much and shows in no recording</source>
+        <translation>电流按命令值计，误差在 0.3 % 之内：驱动的增益误差使 phi（给定 phi 时为 J、c 和 K_f）偏移同样多，且不会显现在任何记录中</translation>
+    </message>
+    <message>
+        <source>the current is taken as commanded within {} %, as stated: the intervals include a gain error of the drive up to that; a larger one shows in no recording</source>
+        <translation>电流按所给出的容差计为命令值，误差在 {} % 之内：区间包含不超过它的驱动增益误差；更大的误差不会显现在任何记录中</translation>
+    </message>
+    <message>
+        <source>state how well the current is known (--current-tolerance-percent), compare the current that flows with the commanded one, or give both J and phi: the program then finds a contradiction</source>
+        <translation>请说明对电流的了解程度（--current-tolerance-percent），将实际电流与命令电流比较，或同时给出 J 和 phi：程序随后会发现矛盾</translation>
+    </message>
+    <message>
+        <source>the current tolerance is not a finite number</source>
+        <translation>电流容差不是有限数</translation>
+    </message>
+    <message>
+        <source>give it in per cent, e.g. 3</source>
+        <translation>请以百分数给出，例如 3</translation>
+    </message>
+    <message>
+        <source>a current tolerance of {} % is not possible</source>
+        <translation>电流容差 {} % 不可能</translation>
+    </message>
+    <message>
+        <source>give 0 to 50 %</source>
+        <translation>请给出 0 到 50 %</translation>
+    </message>
+    <message>
+        <source>the rotor came near standstill: measured with {} of the planned amplitude</source>
+        <translation>转子接近静止：以计划幅值的 {} 倍测量</translation>
+    </message>
+    <message>
+        <source>choose a higher base speed for a larger amplitude</source>
+        <translation>如需更大的幅值，请选择更高的基础转速</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state; on a link without checksum, such as tcp:, a command that the line damaged is rejected likewise: check the line too</source>
+        <translation>检查该值和控制板的状态；在没有校验和的连接（如 tcp:）上，被线路损坏的命令同样会被拒绝：也请检查线路</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>Of the circle, whose centre lies so far in the direction of x, or of the arc</source>
+        <translation>圆（圆心沿 x 方向相距此值）或圆弧的半径</translation>
+    </message>
+    <message>
+        <source>Of the arc, counter-clockwise</source>
+        <translation>圆弧的角度，逆时针为正</translation>
+    </message>
+    <message>
+        <source>Direction in which arc and line begin, from x towards y</source>
+        <translation>圆弧和直线的起始方向，从 x 转向 y</translation>
+    </message>
+    <message>
+        <source>Of the line</source>
+        <translation>直线的长度</translation>
+    </message>
+    <message>
+        <source>of a circle, whose centre lies so far along the first axis, or of an arc</source>
+        <translation>圆（圆心沿第一轴相距此值）或圆弧的半径</translation>
+    </message>
+    <message>
+        <source>of an arc, counter-clockwise</source>
+        <translation>圆弧的角度，逆时针为正</translation>
+    </message>
+    <message>
+        <source>direction in which arc and line begin, from the first axis to the second</source>
+        <translation>圆弧和直线的起始方向，从第一轴转向第二轴</translation>
+    </message>
+    <message>
+        <source>of a line</source>
+        <translation>直线的长度</translation>
+    </message>
+    <message>
+        <source>the heading of a path is not a number</source>
+        <translation>路径的起始方向不是数字</translation>
+    </message>
+    <message>
+        <source>Give a finite angle.</source>
+        <translation>请给出有限的角度。</translation>
+    </message>
+    <message>
+        <source>noise and drawn errors of this specimen</source>
+        <translation>本样机的噪声和随机误差</translation>
+    </message>
+    <message>
+        <source>noise, sensor errors and spread</source>
+        <translation>噪声、传感器误差和离散性</translation>
+    </message>
+    <message>
+        <source>converters and amplifiers, or exact values</source>
+        <translation>转换器和放大器，或精确值</translation>
+    </message>
+    <message>
+        <source>motion: CSV file of poses</source>
+        <translation>运动：位姿 CSV 文件</translation>
+    </message>
+    <message>
+        <source>rotor inertia</source>
+        <translation>转子转动惯量</translation>
+    </message>
+    <message>
+        <source>torque per ampere of current amplitude</source>
+        <translation>每安培电流幅值的转矩</translation>
+    </message>
+    <message>
+        <source>current amplitude limit</source>
+        <translation>电流幅值限值</translation>
+    </message>
+    <message>
+        <source>field amplitude at the Hall sensors</source>
+        <translation>霍尔传感器处的磁场幅值</translation>
+    </message>
+    <message>
+        <source>resistance of one phase</source>
+        <translation>单相电阻</translation>
+    </message>
+    <message>
+        <source>inductance of one phase</source>
+        <translation>单相电感</translation>
+    </message>
+    <message>
+        <source>rotor angle at the start</source>
+        <translation>起始转子角度</translation>
+    </message>
+    <message>
+        <source>amplifier resistor R{}</source>
+        <translation>放大器电阻 R{}</translation>
+    </message>
+    <message>
+        <source>amplifier current shunt</source>
+        <translation>放大器电流分流电阻</translation>
+    </message>
+    <message>
+        <source>amplifier capacitor C{}</source>
+        <translation>放大器电容 C{}</translation>
+    </message>
+    <message>
+        <source>Hall sensitivity at 25 degC</source>
+        <translation>25 °C 时的霍尔灵敏度</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of the Hall sensitivity</source>
+        <translation>霍尔灵敏度的温度系数</translation>
+    </message>
+    <message>
+        <source>Hall output at zero field</source>
+        <translation>零磁场时的霍尔输出</translation>
+    </message>
+    <message>
+        <source>field of a phase at its own sensor</source>
+        <translation>相电流在自身传感器处的磁场</translation>
+    </message>
+    <message>
+        <source>computation delay of the position loop</source>
+        <translation>位置环的计算延迟</translation>
+    </message>
+    <message>
+        <source>relative run-to-run friction scatter, 1 sigma</source>
+        <translation>各次运行间摩擦的相对离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>relative once-per-turn friction, amplitude</source>
+        <translation>每转一次的相对摩擦，幅值</translation>
+    </message>
+    <message>
+        <source>static over kinetic friction</source>
+        <translation>静摩擦与动摩擦之比</translation>
+    </message>
+    <message>
+        <source>speed at which static friction fades</source>
+        <translation>静摩擦消退的速度</translation>
+    </message>
+    <message>
+        <source>Hall noise per sample, rms</source>
+        <translation>每次采样的霍尔噪声，有效值</translation>
+    </message>
+    <message>
+        <source>zero offset of both sensors; drawn for each if not given</source>
+        <translation>两个传感器的零偏；未给出时各自随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn offsets, 1 sigma</source>
+        <translation>随机零偏的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>gain of sensor a over sensor b, minus one; drawn for each if not given</source>
+        <translation>传感器 a 与 b 的增益之比减一；未给出时各自随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gains, 1 sigma</source>
+        <translation>随机增益的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn linearity errors</source>
+        <translation>随机线性误差的离散</translation>
+    </message>
+    <message>
+        <source>angle error between the sensors; drawn if not given</source>
+        <translation>传感器间的角度误差；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn angle error</source>
+        <translation>随机角度误差的离散</translation>
+    </message>
+    <message>
+        <source>spread of the sensors&apos; radius</source>
+        <translation>传感器半径的离散</translation>
+    </message>
+    <message>
+        <source>remanence scatter of the bars, 1 sigma; their angle scatter goes with it (0.02: 1 deg)</source>
+        <translation>磁条剩磁离散，1 sigma；其角度离散随之变化（0.02：1 度）</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of field and torque</source>
+        <translation>磁场和转矩的温度系数</translation>
+    </message>
+    <message>
+        <source>ambient temperature</source>
+        <translation>环境温度</translation>
+    </message>
+    <message>
+        <source>share of the coil&apos;s rise at its sensor</source>
+        <translation>传感器随线圈温升的比例</translation>
+    </message>
+    <message>
+        <source>error of both temperature sensors; drawn for each if not given</source>
+        <translation>两个温度传感器的误差；未给出时各自随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors</source>
+        <translation>随机温度误差的离散</translation>
+    </message>
+    <message>
+        <source>heat capacity of one phase</source>
+        <translation>单相热容</translation>
+    </message>
+    <message>
+        <source>from one phase to ambient</source>
+        <translation>单相到环境</translation>
+    </message>
+    <message>
+        <source>temperature coefficient of the resistance</source>
+        <translation>电阻温度系数</translation>
+    </message>
+    <message>
+        <source>thermal seconds per second; 0: no heating</source>
+        <translation>每秒对应的热秒数；0：不发热</translation>
+    </message>
+    <message>
+        <source>gain error of both outputs; drawn if not given</source>
+        <translation>两个输出的增益误差；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn gain errors, 1 sigma</source>
+        <translation>随机增益误差的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>integral non-linearity of both outputs; drawn if not given</source>
+        <translation>两个输出的积分非线性；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>largest drawn non-linearity</source>
+        <translation>随机非线性的最大值</translation>
+    </message>
+    <message>
+        <source>{}&apos; gain error of chip {}; drawn if not given</source>
+        <translation>{}&apos; 增益误差，芯片 {}；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>{}&apos; zero offset of chip {}; drawn if not given</source>
+        <translation>{}&apos; 零偏，芯片 {}；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>share of {}&apos; in {}&apos; of chip {}; drawn if not given</source>
+        <translation>{}&apos; 在 {}&apos; 中的占比，芯片 {}；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>{}&apos; place error of chip {}; drawn if not given</source>
+        <translation>{}&apos; 位置误差，芯片 {}；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>height error of chip {}; drawn if not given</source>
+        <translation>芯片 {} 的高度误差；未给出时随机抽取</translation>
+    </message>
+    <message>
+        <source>real centre of mass along {}&apos;</source>
+        <translation>沿 {}&apos; 的实际质心</translation>
+    </message>
+    <message>
+        <source>rotation at the start</source>
+        <translation>起始转角</translation>
+    </message>
+    <message>
+        <source>pitch of the magnet matrix</source>
+        <translation>磁体阵列节距</translation>
+    </message>
+    <message>
+        <source>height of the magnet blocks</source>
+        <translation>磁块高度</translation>
+    </message>
+    <message>
+        <source>peak magnetisation of one array</source>
+        <translation>单个阵列的峰值磁化强度</translation>
+    </message>
+    <message>
+        <source>edge of the magnet matrix in pitches</source>
+        <translation>磁体阵列边长（节距数）</translation>
+    </message>
+    <message>
+        <source>width of a coil&apos;s winding</source>
+        <translation>线圈绕组宽度</translation>
+    </message>
+    <message>
+        <source>height of a coil&apos;s winding</source>
+        <translation>线圈绕组高度</translation>
+    </message>
+    <message>
+        <source>turns per width</source>
+        <translation>单位宽度匝数</translation>
+    </message>
+    <message>
+        <source>layers per height</source>
+        <translation>单位高度层数</translation>
+    </message>
+    <message>
+        <source>gap from the magnets to the coils</source>
+        <translation>磁体到线圈的间隙</translation>
+    </message>
+    <message>
+        <source>arm of coils 5 and 6</source>
+        <translation>线圈 5 和 6 的力臂</translation>
+    </message>
+    <message>
+        <source>resistance of a coil</source>
+        <translation>线圈电阻</translation>
+    </message>
+    <message>
+        <source>inductance of a coil</source>
+        <translation>线圈电感</translation>
+    </message>
+    <message>
+        <source>current limit of a coil</source>
+        <translation>线圈电流限值</translation>
+    </message>
+    <message>
+        <source>force of coil {} over its nominal one</source>
+        <translation>线圈 {} 的力与标称值之比</translation>
+    </message>
+    <message>
+        <source>current per volt of an amplifier</source>
+        <translation>放大器每伏电流</translation>
+    </message>
+    <message>
+        <source>bandwidth of an amplifier</source>
+        <translation>放大器带宽</translation>
+    </message>
+    <message>
+        <source>largest voltage at a coil</source>
+        <translation>线圈最大电压</translation>
+    </message>
+    <message>
+        <source>output resistance of an amplifier</source>
+        <translation>放大器输出电阻</translation>
+    </message>
+    <message>
+        <source>resolution of the outputs</source>
+        <translation>输出分辨率</translation>
+    </message>
+    <message>
+        <source>range of the outputs, plus and minus</source>
+        <translation>输出范围，正负</translation>
+    </message>
+    <message>
+        <source>in-plane field amplitude at the chips</source>
+        <translation>芯片处的面内磁场幅值</translation>
+    </message>
+    <message>
+        <source>place of chip {} along {}&apos;</source>
+        <translation>芯片 {} 沿 {}&apos; 的位置</translation>
+    </message>
+    <message>
+        <source>Hall noise per reading, rms</source>
+        <translation>每次读数的霍尔噪声，有效值</translation>
+    </message>
+    <message>
+        <source>field at which a chip clips</source>
+        <translation>芯片饱和的磁场</translation>
+    </message>
+    <message>
+        <source>sensitivity after conditioning</source>
+        <translation>调理后的灵敏度</translation>
+    </message>
+    <message>
+        <source>resolution of the inputs</source>
+        <translation>输入分辨率</translation>
+    </message>
+    <message>
+        <source>range of the inputs, plus and minus</source>
+        <translation>输入范围，正负</translation>
+    </message>
+    <message>
+        <source>field of the coils at the chips over the calculated one</source>
+        <translation>线圈在芯片处的磁场与计算值之比</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares</source>
+        <translation>随机交叉轴分量的离散</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places</source>
+        <translation>随机位置的离散</translation>
+    </message>
+    <message>
+        <source>spread of the drawn heights</source>
+        <translation>随机高度的离散</translation>
+    </message>
+    <message>
+        <source>stiffness of the cable</source>
+        <translation>线缆刚度</translation>
+    </message>
+    <message>
+        <source>torsion of the cable</source>
+        <translation>线缆扭转刚度</translation>
+    </message>
+    <message>
+        <source>anchor of the cable along {}&apos;</source>
+        <translation>线缆固定点沿 {}&apos; 的位置</translation>
+    </message>
+    <message>
+        <source>slow random force per axis, rms</source>
+        <translation>每轴缓慢随机力，有效值</translation>
+    </message>
+    <message>
+        <source>corner of the slow random force</source>
+        <translation>缓慢随机力的转折频率</translation>
+    </message>
+    <message>
+        <source>damping of the motion in the plane</source>
+        <translation>平面运动阻尼</translation>
+    </message>
+    <message>
+        <source>damping of the rotation</source>
+        <translation>转动阻尼</translation>
+    </message>
+    <message>
+        <source>travel from the middle to a stop</source>
+        <translation>从中间到限位的行程</translation>
+    </message>
+    <message>
+        <source>rotation from the middle to a stop</source>
+        <translation>从中间到限位的转角</translation>
+    </message>
+    <message>
+        <source>stiffness of the stops</source>
+        <translation>限位刚度</translation>
+    </message>
+    <message>
+        <source>stiffness of the stops in angle</source>
+        <translation>限位转动刚度</translation>
+    </message>
+    <message>
+        <source>damping of the stops over the critical one</source>
+        <translation>限位阻尼与临界阻尼之比</translation>
+    </message>
+    <message>
+        <source>stiffness of each air bearing</source>
+        <translation>每个气浮轴承的刚度</translation>
+    </message>
+    <message>
+        <source>heat capacity of a coil</source>
+        <translation>线圈热容</translation>
+    </message>
+    <message>
+        <source>from a coil to ambient</source>
+        <translation>线圈到环境</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensors; drawn for each if not given</source>
+        <translation>温度传感器误差；未给出时各自随机抽取</translation>
+    </message>
+    <message>
+        <source>gain error of sensor {} along {}; drawn</source>
+        <translation>传感器 {} 沿 {} 的增益误差；随机抽取</translation>
+    </message>
+    <message>
+        <source>offset of sensor {} along {}; drawn</source>
+        <translation>传感器 {} 沿 {} 的零偏；随机抽取</translation>
+    </message>
+    <message>
+        <source>mounting error of sensor {} about stator {}; drawn</source>
+        <translation>传感器 {} 绕定子 {} 的安装误差；随机抽取</translation>
+    </message>
+    <message>
+        <source>place error of sensor {} along stator {}; drawn</source>
+        <translation>传感器 {} 沿定子 {} 的位置误差；随机抽取</translation>
+    </message>
+    <message>
+        <source>placement of sensor {} about {}</source>
+        <translation>传感器 {} 绕 {} 的布置</translation>
+    </message>
+    <message>
+        <source>channel R of sensor {}: 0 none, 1 dead, 2 stuck</source>
+        <translation>传感器 {} 的 R 通道：0 正常，1 无信号，2 卡死</translation>
+    </message>
+    <message>
+        <source>channel {} of sensor {}, likewise</source>
+        <translation>{} 通道，传感器 {}，同上</translation>
+    </message>
+    <message>
+        <source>outer radius of the rotor</source>
+        <translation>转子外半径</translation>
+    </message>
+    <message>
+        <source>radius of the rotor&apos;s core</source>
+        <translation>转子芯半径</translation>
+    </message>
+    <message>
+        <source>pole angle of the magnet</source>
+        <translation>磁体极角</translation>
+    </message>
+    <message>
+        <source>remanence</source>
+        <translation>剩磁</translation>
+    </message>
+    <message>
+        <source>relative recoil permeability</source>
+        <translation>相对回复磁导率</translation>
+    </message>
+    <message>
+        <source>relative permeability of the core</source>
+        <translation>芯的相对磁导率</translation>
+    </message>
+    <message>
+        <source>azimuthal coefficient</source>
+        <translation>方位系数</translation>
+    </message>
+    <message>
+        <source>device model: 0 exact, 1 additive angles as published</source>
+        <translation>器件模型：0 精确，1 按文献的角度相加</translation>
+    </message>
+    <message>
+        <source>distance of the sensors from the centre</source>
+        <translation>传感器到中心的距离</translation>
+    </message>
+    <message>
+        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
+        <translation>传感器坐标系：0 zyx，1 xyz，2 无滚转</translation>
+    </message>
+    <message>
+        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
+        <translation>附加谐波：0 无，1 按有限元，2 强化</translation>
+    </message>
+    <message>
+        <source>harmonic ({}) at 50 mm instead of the preset&apos;s</source>
+        <translation>50 mm 处的谐波（{}），替代预设值</translation>
+    </message>
+    <message>
+        <source>spread of the drawn cross-axis shares, 1 sigma</source>
+        <translation>随机交叉轴分量的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn mounting angles, 1 sigma</source>
+        <translation>随机安装角的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>spread of the drawn places, 1 sigma</source>
+        <translation>随机位置的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>noise of a reading, rms</source>
+        <translation>读数噪声，有效值</translation>
+    </message>
+    <message>
+        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
+        <translation>转换器：0 12 位 300 mT，1 400 mT，2 98 µT 至 130 mT，3 100 mT</translation>
+    </message>
+    <message>
+        <source>uniform stray field along {}</source>
+        <translation>沿 {} 的均匀杂散磁场</translation>
+    </message>
+    <message>
+        <source>place of the stator coil, from {}</source>
+        <translation>定子线圈位置，自 {} 起</translation>
+    </message>
+    <message>
+        <source>distance of the coil&apos;s centre</source>
+        <translation>线圈中心的距离</translation>
+    </message>
+    <message>
+        <source>radius of the stator coil</source>
+        <translation>定子线圈半径</translation>
+    </message>
+    <message>
+        <source>turns of the stator coil</source>
+        <translation>定子线圈匝数</translation>
+    </message>
+    <message>
+        <source>current of the stator coil</source>
+        <translation>定子线圈电流</translation>
+    </message>
+    <message>
+        <source>temperature at the start</source>
+        <translation>起始温度</translation>
+    </message>
+    <message>
+        <source>final rise of the magnet</source>
+        <translation>磁体最终温升</translation>
+    </message>
+    <message>
+        <source>time constant of the rise</source>
+        <translation>温升时间常数</translation>
+    </message>
+    <message>
+        <source>relative change of the field with temperature</source>
+        <translation>磁场随温度的相对变化</translation>
+    </message>
+    <message>
+        <source>error of the temperature sensor; drawn</source>
+        <translation>温度传感器误差；随机抽取</translation>
+    </message>
+    <message>
+        <source>spread of the drawn temperature errors, 1 sigma</source>
+        <translation>随机温度误差的离散，1 sigma</translation>
+    </message>
+    <message>
+        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
+        <translation>0 设定值，1 至 4 文献轨迹，5 翻滚，6 随机游走</translation>
+    </message>
+    <message>
+        <source>start, rotation about {}</source>
+        <translation>起始，绕 {} 的转角</translation>
+    </message>
+    <message>
+        <source>start, spin about the shaft</source>
+        <translation>起始，绕轴的自转角</translation>
+    </message>
+    <message>
+        <source>rate towards a set-point, spin of tumbling</source>
+        <translation>趋向设定值的角速度，翻滚时的自转</translation>
+    </message>
+    <message>
+        <source>spin along the published trajectories</source>
+        <translation>沿文献轨迹的自转</translation>
+    </message>
+    <message>
+        <source>time between two published samples</source>
+        <translation>文献中两个采样点的间隔</translation>
+    </message>
+    <message>
+        <source>tilt of tumbling, limit of the random walk</source>
+        <translation>翻滚的倾角，随机游走的限值</translation>
+    </message>
+    <message>
+        <source>frequency of tumbling about {}</source>
+        <translation>绕 {} 的翻滚频率</translation>
+    </message>
+    <message>
+        <source>random walk: rms of an axis after one second</source>
+        <translation>随机游走：一秒后单轴的有效值</translation>
+    </message>
+    <message>
+        <source>x at the start</source>
+        <translation>起始 x</translation>
+    </message>
+    <message>
+        <source>y at the start</source>
+        <translation>起始 y</translation>
+    </message>
+    <message>
+        <source>asymmetry of friction, (Kf+ - Kf-)/(Kf+ + Kf-)</source>
+        <translation>摩擦不对称性，(Kf+ - Kf-)/(Kf+ + Kf-)</translation>
+    </message>
+    <message>
+        <source>Viscous damping</source>
+        <translation>粘性阻尼</translation>
+    </message>
+    <message>
+        <source>Torque constant</source>
+        <translation>转矩常数</translation>
     </message>
 </context>
 <context>
@@ -9718,6 +10378,10 @@
     <message>
         <source>The rotor moves (Ctrl+Return); Esc stops it</source>
         <translation>转子会运动（Ctrl+Return）；按 Esc 键停止</translation>
+    </message>
+    <message>
+        <source>Identify next</source>
+        <translation>下一步：辨识</translation>
     </message>
 </context>
 <context>
@@ -10631,6 +11295,14 @@ Firmware %2</source>
         <source>Connection lost. Reconnecting to %1…</source>
         <translation>连接丢失。正在重新连接 %1…</translation>
     </message>
+    <message>
+        <source>Simulation options…</source>
+        <translation>仿真选项…</translation>
+    </message>
+    <message>
+        <source>Values of the simulated actuator: motion, noise, faults…</source>
+        <translation>仿真执行器的数值：运动、噪声、故障…</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::DeviceSession</name>
@@ -11537,10 +12209,6 @@ are ramps at jog speed.</source>
         <translation>K_D 的权重：0 忽略设定值阶跃，1 完全作用</translation>
     </message>
     <message>
-        <source>For analysis and C export. Applied only if the device&apos;s control law supports them.</source>
-        <translation>用于分析和 C 代码导出。仅当设备的控制律支持时才应用。</translation>
-    </message>
-    <message>
         <source>Set-point weights, derivative filter and series filters</source>
         <translation>设定值权重、微分滤波和串联滤波器</translation>
     </message>
@@ -11715,6 +12383,22 @@ are ramps at jog speed.</source>
     <message>
         <source>Coefficient of 1 in the denominator</source>
         <translation>分母中的常数项</translation>
+    </message>
+    <message>
+        <source>For analysis and C export. A connected device may run them as well.</source>
+        <translation>用于分析和 C 代码导出。连接的设备也可能运行它们。</translation>
+    </message>
+    <message>
+        <source>This device runs them, with up to %1 filters.</source>
+        <translation>该设备可运行它们，最多 %1 个滤波器。</translation>
+    </message>
+    <message>
+        <source>This device runs a part of them; the others are for analysis and C export only.</source>
+        <translation>该设备可运行其中一部分；其余仅用于分析和 C 代码导出。</translation>
+    </message>
+    <message>
+        <source>This device does not run them: for analysis and C export only.</source>
+        <translation>该设备不运行它们：仅用于分析和 C 代码导出。</translation>
     </message>
 </context>
 <context>
@@ -12413,6 +13097,14 @@ are ramps at jog speed.</source>
         <source>Given friction K&lt;sub&gt;f&lt;/sub&gt;</source>
         <translation>已知摩擦 K&lt;sub&gt;f&lt;/sub&gt;</translation>
     </message>
+    <message>
+        <source>Current to&amp;lerance</source>
+        <translation>电流容差(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Limit of the drive&apos;s gain error, in per cent of the current. Empty: the published drive, 0.15 % at one sigma</source>
+        <translation>驱动增益误差的界限，以电流的百分数计。留空：所发表的驱动，一个 sigma 为 0.15 %</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::IdentifyPanel</name>
@@ -12623,10 +13315,6 @@ are ramps at jog speed.</source>
         <translation>良好：模型与数据相符</translation>
     </message>
     <message>
-        <source>Device stops at %1 rad/s. Gains and limits are always restored.</source>
-        <translation>转速达到 %1 rad/s 时设备停止。增益和限值总会恢复。</translation>
-    </message>
-    <message>
         <source>Current up to %1 A. The run pauses for cooling if the coils come near %2 °C.</source>
         <translation>电流最大 %1 A。线圈接近 %2 °C 时暂停冷却。</translation>
     </message>
@@ -12661,10 +13349,6 @@ are ramps at jog speed.</source>
     <message>
         <source>in reverse</source>
         <translation>反向</translation>
-    </message>
-    <message>
-        <source>The rotor will turn %1, about %2 turns in all, at up to %3 rad/s (%4 r/min), for %5 minutes of device time.</source>
-        <translation>转子将%1转动，共约 %2 圈，最高 %3 rad/s（%4 r/min），历时 %5 分钟设备时间。</translation>
     </message>
     <message>
         <source>viscous damping c</source>
@@ -12733,6 +13417,14 @@ are ramps at jog speed.</source>
     <message>
         <source>coils up to %1 °C</source>
         <translation>线圈最高 %1 °C</translation>
+    </message>
+    <message>
+        <source>The rotor will turn %1, about %2 turns in all, at up to %3, for %4 minutes of device time.</source>
+        <translation>转子将%1转动，共约 %2 圈，最高 %3，历时 %4 分钟设备时间。</translation>
+    </message>
+    <message>
+        <source>Device stops at %1. Gains and limits are always restored.</source>
+        <translation>转速达到 %1 时设备停止。增益和限值总会恢复。</translation>
     </message>
 </context>
 <context>
@@ -17424,6 +18116,14 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <source>They are saved as design &apos;%1&apos;. To use them: Use this design, then Apply and verify.</source>
         <translation>已存为设计“%1”。使用方法：先“使用此设计”，再“应用并验证”。</translation>
     </message>
+    <message>
+        <source>Drive the motor</source>
+        <translation>驱动电机</translation>
+    </message>
+    <message>
+        <source>Open Parameters</source>
+        <translation>打开“参数”</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::GainFiles</name>
@@ -19275,14 +19975,6 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
         <translation>%1；磁场：%2</translation>
     </message>
     <message>
-        <source>a</source>
-        <translation>a</translation>
-    </message>
-    <message>
-        <source>b</source>
-        <translation>b</translation>
-    </message>
-    <message>
         <source>A</source>
         <translation>A</translation>
     </message>
@@ -19317,6 +20009,14 @@ Hall B
 %1
 霍尔 B
 %2</translation>
+    </message>
+    <message>
+        <source>Hall A</source>
+        <translation>霍尔 A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>霍尔 B</translation>
     </message>
 </context>
 <context>
@@ -20499,6 +21199,18 @@ Hall B
         <source>Time constant of the derivative&apos;s filter</source>
         <translation>微分滤波器的时间常数</translation>
     </message>
+    <message>
+        <source>Weight b</source>
+        <translation>权重 b</translation>
+    </message>
+    <message>
+        <source>Weight c</source>
+        <translation>权重 c</translation>
+    </message>
+    <message>
+        <source>Filter T_f</source>
+        <translation>滤波 T_f</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::AxisResponseButton</name>
@@ -20730,12 +21442,12 @@ Hall B
 <context>
     <name>halbench::app::TurnText</name>
     <message>
-        <source>The rotor will turn in reverse at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
-        <translation>转子将以 %1 rad/s（%2 r/min）反转，约 %3 转，设备时间 %4 分钟。</translation>
+        <source>The rotor will turn in reverse at %1 rad/s, about %2 turns, for %3 minutes of device time.</source>
+        <translation>转子将以 %1 rad/s 反转，约 %2 转，设备时间 %3 分钟。</translation>
     </message>
     <message>
-        <source>The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for %4 minutes of device time.</source>
-        <translation>转子将以 %1 rad/s（%2 r/min）正转，约 %3 转，设备时间 %4 分钟。</translation>
+        <source>The rotor will turn forward at %1 rad/s, about %2 turns, for %3 minutes of device time.</source>
+        <translation>转子将以 %1 rad/s 正转，约 %2 转，设备时间 %3 分钟。</translation>
     </message>
 </context>
 <context>
@@ -21204,6 +21916,88 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>从 X 轴到传感器位置的旋转</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SimulationOptionsDialog</name>
+    <message>
+        <source>Simulation options</source>
+        <translation>仿真选项</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Filter by name or meaning</source>
+        <translation>按名称或含义筛选</translation>
+    </message>
+    <message>
+        <source>Write the options into the address</source>
+        <translation>将选项写入地址</translation>
+    </message>
+    <message>
+        <source>Standard values</source>
+        <translation>标准值</translation>
+    </message>
+    <message>
+        <source>Remove all options</source>
+        <translation>移除所有选项</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>键</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>标准</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>范围</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>含义</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>random</source>
+        <translation>随机</translation>
+    </message>
+    <message>
+        <source>Enter a value of the range, or leave the cell empty.</source>
+        <translation>请输入范围内的值，或将单元格留空。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::widgets::HallTraceView</name>
+    <message>
+        <source>Hall A</source>
+        <translation>霍尔 A</translation>
+    </message>
+    <message>
+        <source>Hall B</source>
+        <translation>霍尔 B</translation>
+    </message>
+    <message>
+        <source>Hall readings over a turn</source>
+        <translation>一转内的霍尔读数</translation>
+    </message>
+    <message>
+        <source>Hall B over Hall A, the newest reading at each angle</source>
+        <translation>霍尔 B 对霍尔 A，每个角度的最新读数</translation>
     </message>
 </context>
 </TS>

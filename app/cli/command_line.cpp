@@ -89,6 +89,15 @@ Result<void> refuseEmptyValues(const CLI::App& app) {
     return {};
 }
 
+/// What was given to the options and arguments of a command.
+std::vector<std::string> valuesOf(const CLI::App& command) {
+    std::vector<std::string> values;
+    for (const CLI::Option* option : command.get_options()) {
+        values.insert(values.end(), option->results().begin(), option->results().end());
+    }
+    return values;
+}
+
 std::string withoutNewlines(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text;
@@ -156,6 +165,7 @@ Result<CommandLine> parseCommandLine(const std::vector<std::string>& arguments) 
         if (command.name == line.command) {
             line.run = command.run;
             line.outputs = command.outputs();
+            line.outputs.inputs = namedInputs(line.outputs, valuesOf(*commands.front()));
         }
     }
     return line;

@@ -45,9 +45,7 @@ Result<void> writeOutput(CommandContext& context, const AnalysisOptions& options
     if (options.out.empty() || !options.analysis->writesTable || !result.table) {
         return {};
     }
-    const bool isFile = !options.input.empty() && !devices::parseDeviceUri(options.input);
-    const Result<void> free = isFile ? checkIsNoInput(options.out, {options.input}) : Result<void>();
-    const Result<void> written = free ? writeFile(options.out, analysisCsv(*result.table)) : free;
+    const Result<void> written = writeFile(options.out, analysisCsv(*result.table));
     if (written) {
         context.console.log(LogLevel::Info, "wrote " + options.out);
     }
@@ -227,11 +225,29 @@ Result<AnalysisInput> inputOf(CommandContext& context, const AnalysisOptions& op
     return isDevice ? inputOfDevice(context, options) : inputOfSettings(context, options);
 }
 
+CommandOutputs outputsOf(const AnalysisOptions& options) {
+    return {{options.out}, {options.recordFile}};
+}
+
+/// The files that a file of settings names; those of the command line are checked with it.
+Result<void> checkKeepsInputsOf(const AnalysisValues& values, const AnalysisOptions& options) {
+    std::vector<std::string> named;
+    for (const auto& [name, text] : values.texts) {
+        named.push_back(text);
+    }
+    CommandOutputs outputs = outputsOf(options);
+    outputs.inputs = namedInputs({}, std::move(named));
+    return checkKeepsInputs(outputs);
+}
+
 CommandResult runAnalysisCommand(CommandContext& context, const AnalysisOptions& options) {
     const Analysis& analysis = *options.analysis;
     Result<AnalysisInput> input = inputOf(context, options);
     if (!input) {
         return failure(input.error());
+    }
+    if (const Result<void> kept = checkKeepsInputsOf(input->values, options); !kept) {
+        return failure(kept.error());
     }
     ResultHeader& header = input->header;
     const std::optional<devices::RecordedFile>& file = input->file;
@@ -254,10 +270,6 @@ CommandResult runAnalysisCommand(CommandContext& context, const AnalysisOptions&
         return failure(done.error());
     }
     return exitCodeFor(header.quality);
-}
-
-CommandOutputs outputsOf(const AnalysisOptions& options) {
-    return {{options.out}, {options.recordFile}};
 }
 
 } // namespace

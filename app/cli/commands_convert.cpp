@@ -3,7 +3,6 @@
 #include "app/documents/result_header.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
-#include "app/documents/text/output_file.h"
 #include "app/headless/command_header.h"
 #include "app/headless/recording_integrity.h"
 #include "devices/formats/convert_recording.h"
@@ -55,9 +54,6 @@ CommandResult runConvertCommand(CommandContext& context, const ConvertOptions& o
     if (!derived) {
         return failure(derived.error());
     }
-    if (const Result<void> free = checkIsNoInput(options.out, {options.input}); !free) {
-        return failure(free.error());
-    }
     const devices::ConvertRequest request{options.input, options.out, splitList(options.signals),
                                           *from,         *to,         *std::move(derived)};
     const Result<devices::Conversion> done =
@@ -93,7 +89,7 @@ void addOptions(CommandSyntax& syntax, ConvertOptions& options) {
 }
 
 CommandOutputs outputsOf(const ConvertOptions& options) {
-    return {{}, {options.out}, {options.input}};
+    return {{}, {options.out}};
 }
 
 } // namespace

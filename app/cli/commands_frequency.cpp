@@ -65,6 +65,7 @@ Result<void> writeResponseFiles(const IdentifyOptions& options, const Recording&
 Result<void> checkFrequencyOptions(const IdentifyOptions& options) {
     if (options.isFrequency) {
         return refuseGiven({{"--given", !options.sweep.given.empty()},
+                            {"--current-tolerance-percent", !options.sweep.currentTolerance.empty()},
                             {"--currents", !options.sweep.currents.empty()},
                             {"--directions", !options.sweep.directions.empty()},
                             {"--bare", !options.sweep.bare.empty()},

@@ -184,6 +184,8 @@ void addSweep(CommandSyntax& syntax, IdentifyOptions& options) {
     syntax.repeatable("--given", sweep.given,
                       "Known constant in SI: J, c, Kf or phi of a motor, m or Iz of a platen; repeatable",
                       "NAME=VALUE");
+    syntax.option("--current-tolerance-percent", sweep.currentTolerance,
+                  "Limit of the drive's gain error; default: 0.15 % at one sigma", "PERCENT");
     syntax.option("--currents", sweep.currents, "Sweep in ampere, default 1.6:4:0.2", "FROM:TO:STEP");
     syntax.option("--directions", sweep.directions, "both, forward or reverse");
     syntax.recording("--record", options.recordFile, "Recording of the sweep");

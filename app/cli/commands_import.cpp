@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
 
 namespace halbench::app {
 
@@ -112,15 +111,9 @@ Result<void> checkOut(const ImportOptions& options) {
     if (options.isPreview) {
         return {};
     }
-    const std::filesystem::path out(options.out);
     if (options.out.empty()) {
         return failure(ErrorCode::Usage, "--out is missing",
                        "give --out FILE.csv, or --preview to look only");
-    }
-    std::error_code ignored;
-    if (std::filesystem::equivalent(options.input, out, ignored)) {
-        return failure(ErrorCode::Usage, "--out would overwrite '" + options.input + "'",
-                       "give the recording another name");
     }
     return {};
 }
@@ -208,7 +201,7 @@ void addOptions(CommandSyntax& syntax, ImportOptions& options) {
 }
 
 CommandOutputs outputsOf(const ImportOptions& options) {
-    return {{}, {options.out}, {options.input}};
+    return {{}, {options.out}};
 }
 
 } // namespace

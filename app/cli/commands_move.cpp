@@ -239,13 +239,14 @@ CommandResult runMoveCommand(CommandContext& context, const MoveOptions& options
 void addOptions(CommandSyntax& syntax, MoveOptions& options) {
     syntax.device(options.device);
     syntax.option("--reference", options.reference,
-                  "step,amplitude_deg=100; s-curve,amplitude_mm=5,rate_mm_s=50,...; circle; raster; rest ...",
+                  "step,amplitude_deg=100; s-curve,amplitude_mm=5,rate_mm_s=50,...; circle; raster; arc; "
+                  "line; rest ...",
                   "SHAPE,KEY=VALUE...", Presence::Required);
     syntax.option("--axis", options.axis,
                   "Which axis moves, on a device with several; all: one after the other", "NAME|all");
     syntax.option("--model", options.model, "Model of the axes: the move is predicted too", "MODEL.json");
     syntax.option("--duration", options.duration,
-                  "Seconds; default of trapezoid, s-curve, circle, raster: the travel and 1 s of rest", "S");
+                  "Seconds; default of trapezoid, s-curve and of paths: the travel and 1 s of rest", "S");
     syntax.recording("--out", options.out, "Recording");
 }
 

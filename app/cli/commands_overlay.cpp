@@ -3,7 +3,6 @@
 #include "app/documents/result_header.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
-#include "app/documents/text/output_file.h"
 #include "app/headless/command_header.h"
 #include "app/headless/recording_integrity.h"
 #include "app/recordings/aligned_runs.h"
@@ -210,9 +209,6 @@ DataQuality qualityOf(const Overlay& overlay) {
 }
 
 CommandResult runOverlayCommand(CommandContext& context, const OverlayOptions& options) {
-    if (const Result<void> possible = checkIsNoInput(options.out, options.names); !possible) {
-        return failure(possible.error());
-    }
     const Result<OverlayRequest> request = requestFrom(options);
     if (!request) {
         return failure(request.error());
@@ -254,7 +250,7 @@ void addOptions(CommandSyntax& syntax, OverlayOptions& options) {
 }
 
 CommandOutputs outputsOf(const OverlayOptions& options) {
-    return {{}, {options.out}, options.names};
+    return {{}, {options.out}};
 }
 
 } // namespace

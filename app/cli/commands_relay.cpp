@@ -53,6 +53,7 @@ Result<void> checkRelayOptions(const IdentifyOptions& options) {
     }
     return refuseGiven({{"--frequency", options.isFrequency},
                         {"--given", !options.sweep.given.empty()},
+                        {"--current-tolerance-percent", !options.sweep.currentTolerance.empty()},
                         {"--currents", !options.sweep.currents.empty()},
                         {"--directions", !options.sweep.directions.empty()},
                         {"--bare", !options.sweep.bare.empty()},

@@ -124,6 +124,19 @@ Result<std::unique_ptr<devices::Device>> openFor(CommandContext& context, const 
     return waiting;
 }
 
+/// The files that the steps read and that of the device.
+Result<void> checkKeepsInputsOf(const Experiment& experiment, const std::string& folder) {
+    std::vector<std::string> named{experiment.device};
+    for (const ExperimentStep& step : experiment.steps) {
+        for (const auto& [key, value] : step.keys.members) {
+            named.push_back(value.text); // a model, a placement, a calibration
+        }
+    }
+    CommandOutputs outputs{{}, {}, folder};
+    outputs.inputs = namedInputs(outputs, std::move(named));
+    return checkKeepsInputs(outputs);
+}
+
 CommandResult runRunCommand(CommandContext& context, const RunOptions& options) {
     const Result<Experiment> experiment = readExperiment(options);
     if (!experiment) {
@@ -131,6 +144,11 @@ CommandResult runRunCommand(CommandContext& context, const RunOptions& options) 
     }
     if (!options.isDryRun && options.out.empty()) {
         return failure(ErrorCode::Usage, "--out is required", "name the folder that the results go into");
+    }
+    if (const Result<void> kept =
+            options.isDryRun ? Result<void>() : checkKeepsInputsOf(*experiment, options.out);
+        !kept) {
+        return failure(kept.error());
     }
     const Result<std::unique_ptr<devices::Device>> device = openFor(context, *experiment, options.isDryRun);
     if (!device) {
@@ -157,7 +175,7 @@ void addOptions(CommandSyntax& syntax, RunOptions& options) {
 }
 
 CommandOutputs outputsOf(const RunOptions& options) {
-    return {{}, {}, {}, options.isDryRun ? std::string() : options.out};
+    return {{}, {}, options.isDryRun ? std::string() : options.out};
 }
 
 } // namespace

@@ -58,6 +58,14 @@ Result<void> takeGiven(const std::vector<std::string>& texts, const Actuator& ac
     return {};
 }
 
+Result<void> takeCurrentTolerance(const std::string& text, IdentifyConfig& config) {
+    if (text.empty()) {
+        return {};
+    }
+    const Result<double> number = numberOption("--current-tolerance-percent", text);
+    return number ? setCurrentTolerance(config, *number) : failure(number.error());
+}
+
 Result<std::optional<AddedInertia>> addedFrom(const SweepOptions& options) {
     if (options.bare.empty() && options.addedInertia.empty()) {
         return std::optional<AddedInertia>{};
@@ -92,6 +100,9 @@ Result<IdentifyConfig> identifyConfigFrom(const SweepOptions& options, const std
     IdentifyConfig config;
     if (const Result<void> given = takeGiven(options.given, actuator, config); !given) {
         return failure(given.error());
+    }
+    if (const Result<void> taken = takeCurrentTolerance(options.currentTolerance, config); !taken) {
+        return failure(taken.error());
     }
     Result<std::optional<AddedInertia>> added = addedFrom(options);
     if (!added) {

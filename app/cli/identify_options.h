@@ -10,6 +10,7 @@ namespace halbench::app {
 /// The sweep of `identify`.
 struct SweepOptions {
     std::vector<std::string> given; ///< NAME=VALUE
+    std::string currentTolerance;   ///< --current-tolerance-percent PERCENT
     std::string currents;           ///< FROM:TO:STEP
     std::string directions;
     std::string bare;         ///< --bare MODEL.json

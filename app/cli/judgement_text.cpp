@@ -70,25 +70,24 @@ std::string disturbanceLines(const TuneResult& result) {
 }
 
 std::string intervalLines(const control::Robustness& robust, const std::string& drawn) {
-    if (!robust.phaseMargin_deg) {
+    if (!robust.isUncertain) {
         return "margins: no interval is known, the model has no covariance\n";
     }
-    const bool isStable = robust.unstable_fraction < 1.0;
+    if (robust.unstable_fraction >= 1.0) {
+        return fmt::format("unstable with all {} {} that the data allow\n", robust.draws, drawn);
+    }
     std::string text =
-        isStable ? fmt::format("margins of 5 % to 95 % of {} {} that the data allow\n", robust.draws, drawn)
-                 : fmt::format("unstable with all {} {} that the data allow\n", robust.draws, drawn);
+        fmt::format("margins of 5 % to 95 % of {} {} that the data allow", robust.draws, drawn);
+    text += robust.unstable_fraction > 0.0
+                ? fmt::format(", without the {:.3g} % that are unstable\n", 100.0 * robust.unstable_fraction)
+                : "\n";
     const auto line = [&text](const char* name, const std::optional<control::Robustness::Interval>& interval,
                               const char* unit) {
         if (interval) {
             text += fmt::format("{:<26} {:.4g} to {:.4g}{}\n", name, interval->p5, interval->p95, unit);
         }
     };
-    if (isStable || robust.gainMargin_ratio->p95 < 1.0) { // else the limit is above, and no draw has it
-        line("gain margin", robust.gainMargin_ratio, "");
-    }
-    if (!isStable) {
-        return text; // what counts as none is no margin
-    }
+    line("gain margin", robust.gainMargin_ratio, "");
     line("phase margin", robust.phaseMargin_deg, " deg");
     line("delay margin", robust.delayMargin_s, " s");
     line("modulus margin", robust.modulusMargin, "");

@@ -76,9 +76,9 @@ JsonValue toJson(const std::optional<control::Robustness::Interval>& interval) {
     return body.set("p5", finiteOrNull(interval->p5)).set("p95", finiteOrNull(interval->p95));
 }
 
-/// Null for a model without uncertainty: a point is not an interval.
+/// Null for a model without uncertainty: a point is not an interval. Each null when no draw is stable.
 JsonValue intervalsOf(const control::Robustness& robust) {
-    if (!robust.phaseMargin_deg) {
+    if (!robust.isUncertain) {
         return {};
     }
     JsonValue body = JsonValue::object();

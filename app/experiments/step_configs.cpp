@@ -152,6 +152,7 @@ Result<IdentifyConfig> identifyConfigOf(const ExperimentStep& step, const Actuat
     config.sweep.step_A = step.number("currents_A.step").value_or(config.sweep.step_A);
     config.speedLimit_rad_s = step.number("speed_limit_rad_s").value_or(config.speedLimit_rad_s);
     config.usableSpeed_rad_s = step.number("usable_speed_rad_s").value_or(config.usableSpeed_rad_s);
+    config.currentTolerance_percent = step.number("current_tolerance_percent");
     config.directions = *sweepDirections(step.text("directions").value_or("both"));
     for (const auto& [symbol, value] : step.numbers("given")) {
         if (const Result<void> set = actuator.identify.setGiven(config, symbol, value); !set) {

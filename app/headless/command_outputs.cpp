@@ -22,11 +22,40 @@ bool isThere(const std::string& path) {
     return fs::is_regular_file(path, problem);
 }
 
-bool isInput(const CommandOutputs& outputs, const std::string& path) {
-    return std::any_of(outputs.inputs.begin(), outputs.inputs.end(), [&](const auto& input) {
-        std::error_code missing;
-        return fs::equivalent(path, input, missing);
+bool isSame(const std::string& path, const std::string& other) {
+    std::error_code missing; // a file that is not there is no other's
+    return fs::equivalent(path, other, missing);
+}
+
+/// What in the value of an option may be a path: all of it, what follows the scheme of an address, and what
+/// an assignment or a query sets.
+std::vector<std::string> pathsIn(const std::string& value) {
+    std::vector<std::string> paths{value};
+    if (const std::size_t colon = value.find(':'); colon != std::string::npos) {
+        paths.push_back(value.substr(colon + 1, value.find('?', colon) - colon - 1));
+    }
+    for (std::size_t equals = value.find('='); equals != std::string::npos;
+         equals = value.find('=', equals + 1)) {
+        paths.push_back(value.substr(equals + 1));
+        paths.push_back(value.substr(equals + 1, value.find('&', equals) - equals - 1));
+    }
+    return paths;
+}
+
+/// One of the values is that of the option which names the output.
+void removeValueOf(const std::string& output, std::vector<std::string>& values) {
+    const auto own = std::find_if(values.begin(), values.end(), [&output](const std::string& value) {
+        const std::vector<std::string> paths = pathsIn(value);
+        return std::find(paths.begin(), paths.end(), output) != paths.end();
     });
+    if (own != values.end()) {
+        values.erase(own);
+    }
+}
+
+Error wouldOverwrite(const std::string& file, const std::string& input) {
+    return {ErrorCode::Usage, fmt::format("'{}' would overwrite '{}', which this command reads", file, input),
+            "use another name for the result; --force does not overwrite an input"};
 }
 
 /// Same file, also by another path; a device or pipe takes any number of results.
@@ -95,13 +124,60 @@ std::vector<std::string> writtenFiles(const CommandOutputs& outputs) {
     return files;
 }
 
+std::vector<std::string> namedInputs(const CommandOutputs& outputs, std::vector<std::string> values) {
+    for (const std::vector<std::string>* own : {&outputs.files, &outputs.recordings}) {
+        for (const std::string& output : *own) {
+            removeValueOf(output, values);
+        }
+    }
+    std::vector<std::string> inputs;
+    for (const std::string& value : values) {
+        for (const std::string& path : pathsIn(value)) {
+            for (const std::string& file : {path, devices::metaPathOf(path)}) {
+                if (isThere(path) && isThere(file)) {
+                    inputs.push_back(file);
+                }
+            }
+        }
+    }
+    return inputs;
+}
+
+Result<void> checkKeepsInputs(const CommandOutputs& outputs) {
+    const std::vector<std::string> files = writtenFiles(outputs);
+    for (const std::string& input : outputs.inputs) {
+        for (const std::string& file : files) {
+            if (isSame(file, input)) {
+                return failure(wouldOverwrite(file, input));
+            }
+        }
+        for (const std::string& file : outputs.files) { // a recording moves an older working file aside
+            if (!file.empty() && isSame(file + ".partial", input)) {
+                return failure(wouldOverwrite(file + ".partial", input));
+            }
+        }
+        const fs::path place(input);
+        const std::string folder = place.has_parent_path() ? place.parent_path().string() : ".";
+        if (!outputs.folder.empty() && place.extension() != ".toml" && isSame(outputs.folder, folder)) {
+            return failure(
+                ErrorCode::Usage,
+                fmt::format("the folder '{}' contains '{}', which this command reads", outputs.folder, input),
+                "use another folder; --force does not overwrite an input");
+        }
+    }
+    return {};
+}
+
 Result<void> checkOutputs(const CommandOutputs& outputs, bool mayOverwrite) {
+    if (const Result<void> kept = checkKeepsInputs(outputs); !kept) {
+        return kept;
+    }
     const std::vector<std::string> files = writtenFiles(outputs);
     if (const Result<void> distinct = checkDistinct(files); !distinct) {
         return distinct;
     }
     for (const std::string& file : files) {
-        if (!mayOverwrite && isThere(file) && !isInput(outputs, file)) {
+        if (!mayOverwrite && isThere(file)) {
             return failure(ErrorCode::Usage, fmt::format("'{}' exists already", file),
                            "use another name, or overwrite it with --force");
         }

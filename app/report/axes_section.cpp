@@ -33,7 +33,7 @@ ReportTable loopTable(const TuneResult& result, const LoopAxis& axis) {
     const auto& crossover = loop.margins.gainCrossover_rad_s;
     std::vector<ReportQuantity> rows = {
         {"phase margin", ifFinite(loop.margins.phaseMargin_deg), "deg"},
-        {"5th percentile of the phase margin", ifFinite(result.robust.phaseMargin_deg_p5), "deg"},
+        {"5th percentile of the phase margin", result.robust.phaseMargin_deg_p5, "deg"},
         {"gain margin", ifFinite(loop.margins.gainMargin_ratio), ""},
         {"delay margin", ifFinite(loop.margins.delayMargin_s), "s"},
         {"gain crossover", crossover ? std::optional(*crossover / (2.0 * Pi)) : std::nullopt, "Hz"},

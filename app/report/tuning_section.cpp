@@ -86,13 +86,14 @@ ReportFacts robustFacts(const control::Robustness& robust) {
                                     withUnit(factor * spread->p95, unit))
                       : "no interval is known";
     };
-    return {{{"plants drawn from the estimate", fmt::format("{}", robust.draws)},
-             {"gain margin, 5 % to 95 % of them", interval(robust.gainMargin_ratio, 1.0, " \u00d7")},
-             {"phase margin, 5 % to 95 % of them", interval(robust.phaseMargin_deg, 1.0, "\u00b0")},
-             {"delay margin, 5 % to 95 % of them", interval(robust.delayMargin_s, 1e3, " ms")},
-             {"modulus margin, 5 % to 95 % of them", interval(robust.modulusMargin, 1.0, "")},
-             {"unstable draws", fmt::format("{:.1f} %", 100.0 * robust.unstable_fraction),
-              robust.unstable_fraction > 0.0 ? ReportTone::Bad : ReportTone::Plain}}};
+    return {
+        {{"plants drawn from the estimate", fmt::format("{}", robust.draws)},
+         {"gain margin, 5 % to 95 % of the stable ones", interval(robust.gainMargin_ratio, 1.0, " \u00d7")},
+         {"phase margin, 5 % to 95 % of the stable ones", interval(robust.phaseMargin_deg, 1.0, "\u00b0")},
+         {"delay margin, 5 % to 95 % of the stable ones", interval(robust.delayMargin_s, 1e3, " ms")},
+         {"modulus margin, 5 % to 95 % of the stable ones", interval(robust.modulusMargin, 1.0, "")},
+         {"unstable draws", fmt::format("{:.1f} %", 100.0 * robust.unstable_fraction),
+          robust.unstable_fraction > 0.0 ? ReportTone::Bad : ReportTone::Plain}}};
 }
 
 void appendPredictedStep(ReportSection& section, const AnalysisResult& predicted,

@@ -57,8 +57,6 @@ namespace halbench::app {
 namespace {
 
 constexpr int AutosavePeriod_ms = 5000;
-/// Of a window that is opened without being painted, as a minimised one.
-constexpr int LatestFurnish_ms = 500;
 constexpr QSize FirstSize(1440, 900);
 constexpr QSize LeastDockRoom(320, 160);
 
@@ -151,12 +149,11 @@ MainWindow::~MainWindow() {
     }
 }
 
-bool MainWindow::event(QEvent* event) {
-    if (!m_isFurnished && (event->type() == QEvent::Paint || event->type() == QEvent::Show)) {
-        const bool isPainted = event->type() == QEvent::Paint;
-        QTimer::singleShot(isPainted ? 0 : LatestFurnish_ms, this, &MainWindow::furnish);
+void MainWindow::setVisible(bool isVisible) {
+    if (isVisible) {
+        furnish();
     }
-    return QMainWindow::event(event);
+    QMainWindow::setVisible(isVisible);
 }
 
 void MainWindow::furnish() {

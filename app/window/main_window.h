@@ -35,9 +35,10 @@ public:
     explicit MainWindow(Preferences preferences);
     ~MainWindow() override;
 
-    /// Makes the panels: by itself right after the window was painted first, so that it is there soon, or
-    /// earlier by whoever needs them. Again does nothing.
+    /// Makes the panels, before the window is shown at the latest: its first paint is complete. Again does
+    /// nothing.
     void furnish();
+    void setVisible(bool isVisible) override;
 
     Workbench& bench() { return m_bench; }
     DockLayout& docks() { return *m_docks; }
@@ -62,7 +63,6 @@ Q_SIGNALS:
     void furnished();
 
 protected:
-    bool event(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 
 private:

@@ -103,8 +103,18 @@ void connectPanelConnections(DockLayout& docks, Workbench& bench) {
                          docks.setPerspective(Perspective::Tune);
                          tune->useUltimate(gain_A_per_rad, period_s);
                      });
-    QObject::connect(tune, &TunePanel::identifyRequested, &docks,
-                     [&docks] { docks.setPerspective(Perspective::Identify); });
+    const auto identifyNext = [&docks] {
+        docks.setPerspective(Perspective::Identify);
+        docks.raise(QStringLiteral("identify"));
+    };
+    QObject::connect(tune, &TunePanel::identifyRequested, &docks, identifyNext);
+    QObject::connect(calibrate, &CalibratePanel::identifyRequested, &docks, identifyNext);
+    QObject::connect(tune, &TunePanel::savingRequested, &docks,
+                     [&docks] { docks.raise(QStringLiteral("parameters")); });
+    QObject::connect(tune, &TunePanel::drivingRequested, &docks, [&docks] {
+        docks.setPerspective(Perspective::Monitor);
+        docks.raise(QStringLiteral("drive"));
+    });
     QObject::connect(panelOf<ParametersPanel>(docks, "parameters"), &ParametersPanel::savedInDevice, tune,
                      &TunePanel::onSavedInDevice);
     connectMonitor(docks);

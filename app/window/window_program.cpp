@@ -112,16 +112,14 @@ void closeBySignal(MainWindow& window, const std::atomic<int>& received) {
 
 void obey(MainWindow& window, const std::vector<std::string>& arguments) {
     const WindowCall call = parse(arguments).value_or(WindowCall());
-    QObject::connect(&window, &MainWindow::furnished, &window, [&window, call] {
-        if (call.project) {
-            window.openProject(*call.project);
-        } else {
-            window.recoverUnnamed();
-        }
-        if (call.device) {
-            window.connectDevice(*call.device);
-        }
-    });
+    if (call.project) {
+        window.openProject(*call.project);
+    } else {
+        window.recoverUnnamed();
+    }
+    if (call.device) {
+        window.connectDevice(*call.device);
+    }
 }
 
 void followDisplayScale() {

@@ -65,6 +65,7 @@ CalibratePanel::CalibratePanel(Workbench& workbench, QWidget* parent) : WizardPa
             showResult();
         }
     });
+    connect(&messages(), &widgets::MessageBar::actionTriggered, this, &CalibratePanel::identifyRequested);
     m_frame.setInterval(Frame_ms);
     connect(&m_frame, &QTimer::timeout, this, &CalibratePanel::showLive);
     CalibratePanel::refreshWords();

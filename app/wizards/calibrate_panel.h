@@ -49,6 +49,7 @@ public:
 Q_SIGNALS:
     void calibrated(); ///< measured, applied or taken back; not when restored from a project
     void helpRequested(const QString& page);
+    void identifyRequested(); ///< what follows applied values
 
 protected:
     void refreshWords() override;

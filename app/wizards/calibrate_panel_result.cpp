@@ -169,7 +169,9 @@ void CalibratePanel::write(const std::vector<ParameterValue>& values, bool isApp
             : isSimulated ? tr("Applied and read back. Lost when the simulated device is disconnected.")
                           : tr("Applied and read back. Lost at power-off.");
         self->bench().session().message(MessageLevel::Info, tr("Calibrate"), done);
-        self->messages().showMessage({widgets::Severity::Success, done, {}, {}});
+        const bool leadsOn = isApplying && self->bench().session().catalogue().hasProcedure("identify");
+        self->messages().showMessage(
+            {widgets::Severity::Success, done, {}, leadsOn ? tr("Identify next") : QString()});
         self->refreshPlan();
         if (self->m_origin == Origin::ThisConnection) {
             self->calibrated();

@@ -71,6 +71,7 @@ IdentifyForm::IdentifyForm(QWidget* parent) : QWidget(parent), m_form(new QFormL
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     buildSweep();
     buildGiven();
+    buildAdvanced();
     refreshWords();
 }
 
@@ -136,12 +137,24 @@ void IdentifyForm::buildGiven() {
         connect(edit, &widgets::OptionalNumberEdit::valueChanged, this, &IdentifyForm::changed);
         m_given[i] = edit;
     }
+}
+
+void IdentifyForm::buildAdvanced() {
     m_advanced = new QToolButton(this);
     m_advanced->setAutoRaise(true);
     m_advanced->setCheckable(true);
     m_advanced->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_advanced->setIcon(widgets::themedIcon(QStringLiteral("settings")));
     m_form->addRow(m_advanced);
+    m_currentTolerance = new widgets::OptionalNumberEdit(this);
+    m_currentTolerance->setLimits({0.0, LargestCurrentTolerance_percent, true});
+    m_currentTolerance->setObjectName(QStringLiteral("currentTolerance"));
+    auto* toleranceLabel = new QLabel(this);
+    toleranceLabel->setBuddy(m_currentTolerance);
+    auto* toleranceRow = withUnit(m_currentTolerance, "%", this);
+    m_labels.push_back(toleranceLabel);
+    m_form->addRow(toleranceLabel, toleranceRow);
+    connect(m_currentTolerance, &widgets::OptionalNumberEdit::valueChanged, this, &IdentifyForm::changed);
     m_seed = new QSpinBox(this);
     m_seed->setRange(0, std::numeric_limits<int>::max());
     m_seed->setValue(1);
@@ -149,9 +162,12 @@ void IdentifyForm::buildGiven() {
     m_labels.push_back(new QLabel(this));
     m_labels.back()->setBuddy(m_seed);
     m_form->addRow(m_labels.back(), m_seed);
-    const auto showAdvanced = [this](bool isShown) {
-        m_seed->setVisible(isShown);
-        m_labels.back()->setVisible(isShown);
+    auto* seedLabel = m_labels.back();
+    const auto showAdvanced = [toleranceLabel, toleranceRow, seedLabel, seed = m_seed](bool isShown) {
+        for (QWidget* part : {static_cast<QWidget*>(toleranceLabel), toleranceRow,
+                              static_cast<QWidget*>(seedLabel), static_cast<QWidget*>(seed)}) {
+            part->setVisible(isShown);
+        }
     };
     connect(m_advanced, &QToolButton::toggled, this, showAdvanced);
     connect(m_seed, QOverload<int>::of(&QSpinBox::valueChanged), this, &IdentifyForm::onChange);
@@ -167,6 +183,7 @@ void IdentifyForm::refreshWords() {
                              tr("Given dampi&ng c"),
                              tr("Given friction K<sub>f</sub>"),
                              tr("Given torque constant \u03c6"),
+                             tr("Current to&lerance"),
                              tr("&Seed")};
     const QString helps[] = {tr("First current of the sweep; well above the breakaway current"),
                              tr("Last current of the sweep"),
@@ -176,6 +193,8 @@ void IdentifyForm::refreshWords() {
                              tr("Known viscous damping. Empty: unknown"),
                              tr("Known Coulomb friction. Empty: unknown"),
                              tr("Known torque constant. Empty: unknown"),
+                             tr("Limit of the drive's gain error, in per cent of the current. Empty: the "
+                                "published drive, 0.15 % at one sigma"),
                              tr("Seed for plateau order and resampling; equal seeds give equal results")};
     const auto fieldOf = [this](std::size_t i) -> QWidget* { return m_labels[i]->buddy(); };
     for (std::size_t i = 0; i < m_labels.size(); ++i) {
@@ -228,11 +247,15 @@ QStringList IdentifyForm::problems() const {
         add(m_currents[1]->accessibleName(), tr("Smaller than \"%1\".").arg(m_currents[0]->accessibleName()),
             tr("Increase this value or reduce the other"));
     }
-    for (const widgets::OptionalNumberEdit* edit : m_given) {
-        if (!edit->isValid()) {
-            add(edit->accessibleName(), edit->problem(), tr("Correct it or leave it empty"));
+    const auto addEdit = [&add](const widgets::OptionalNumberEdit& edit) {
+        if (!edit.isValid()) {
+            add(edit.accessibleName(), edit.problem(), tr("Correct it or leave it empty"));
         }
+    };
+    for (const widgets::OptionalNumberEdit* edit : m_given) {
+        addEdit(*edit);
     }
+    addEdit(*m_currentTolerance);
     return all;
 }
 
@@ -252,6 +275,11 @@ Result<IdentifyConfig> IdentifyForm::config() const {
             if (auto set = setGivenConstant(config.given, GivenAll[i].symbol, *value); !set) {
                 return failure(set.error());
             }
+        }
+    }
+    if (const std::optional<double> tolerance_percent = m_currentTolerance->value()) {
+        if (auto set = setCurrentTolerance(config, *tolerance_percent); !set) {
+            return failure(set.error());
         }
     }
     if (const auto currents = sweepCurrents_A(config.sweep, m_limit_A); !currents) {

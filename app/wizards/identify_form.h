@@ -54,6 +54,7 @@ protected:
 private:
     void buildSweep();
     void buildGiven();
+    void buildAdvanced();
     void refreshWords();
     void watchCurrent(widgets::QuantityEdit& box);
     void onChange();
@@ -69,6 +70,7 @@ private:
     QComboBox* m_directions = nullptr;
     std::array<widgets::OptionalNumberEdit*, 4> m_given{}; ///< as GivenSymbols
     QToolButton* m_advanced = nullptr;
+    widgets::OptionalNumberEdit* m_currentTolerance = nullptr;
     QSpinBox* m_seed = nullptr;
     std::vector<QLabel*> m_labels; ///< of the rows, in their order
 };

@@ -192,7 +192,7 @@ void IdentifyPanel::refreshPlan() {
     widgets::setRole(*m_outlook, notice.isEmpty() ? widgets::Role::None : widgets::Role::Warn);
     const double start_degC = m_preflight->temperature_degC().value_or(AssumedStart_degC);
     m_outlook->setText((notice.isEmpty() ? notice : notice + QLatin1Char('\n')) +
-                       outlookText(*config, sweepOutlook(*config, start_degC)));
+                       outlookText(*config, sweepOutlook(*config, start_degC), bench().displayUnits()));
     m_preflight->setForecast([config = *config](double now_degC) {
         return predictIdentify(config, now_degC).highestTemperature_degC;
     });

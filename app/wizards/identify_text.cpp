@@ -100,18 +100,16 @@ SweepOutlook sweepOutlook(const IdentifyConfig& config, double start_degC) {
     return outlook;
 }
 
-QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook) {
+QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook, const DisplayUnits& units) {
     const QString way = config.directions == SweepDirections::Both      ? Words::tr("both directions")
                         : config.directions == SweepDirections::Forward ? Words::tr("forward")
                                                                         : Words::tr("in reverse");
-    const double speed_rad_s = std::round(outlook.largestSpeed_rad_s); // one speed in both units
-    const double rpm = radPerSecondToRpm(speed_rad_s);
     QString text =
         Words::tr(
-            "The rotor will turn %1, about %2 turns in all, at up to %3 rad/s (%4 r/min), for %5 minutes "
-            "of device time.")
-            .arg(way, number(std::round(outlook.turns / 10.0) * 10.0, 0), number(speed_rad_s, 0),
-                 number(rpm, 0), widgets::durationText(outlook.prediction.duration_s));
+            "The rotor will turn %1, about %2 turns in all, at up to %3, for %4 minutes of device time.")
+            .arg(way, number(std::round(outlook.turns / 10.0) * 10.0, 0),
+                 speedText(outlook.largestSpeed_rad_s, units),
+                 widgets::durationText(outlook.prediction.duration_s));
     text += QLatin1Char('\n');
     const double warmest_degC = outlook.prediction.highestTemperature_degC;
     const QString current_A = number(outlook.prediction.peakCurrent_A, 1);
@@ -121,8 +119,8 @@ QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook) {
                 : Words::tr("Current up to %1 A. The run pauses for cooling if the coils come near %2 °C.")
                       .arg(current_A, number(config.refuseTemperature_degC, 0));
     text += QLatin1Char(' ');
-    text += Words::tr("Device stops at %1 rad/s. Gains and limits are always restored.")
-                .arg(number(config.speedLimit_rad_s, 0));
+    text += Words::tr("Device stops at %1. Gains and limits are always restored.")
+                .arg(speedText(config.speedLimit_rad_s, units));
     if (!config.given.inertia_kg_m2 && !config.given.torqueConstant_Nm_per_A) {
         text += QLatin1Char('\n');
         text += Words::tr("Without inertia J or torque constant φ only ratios are identified; that is "

@@ -2,6 +2,7 @@
 
 #include "app/documents/result_header.h"
 #include "app/procedures/identify/identify_procedure.h"
+#include "app/workbench/display_quantity.h"
 #include "widgets/controls/estimate_table.h"
 #include "widgets/controls/verdict_view.h"
 
@@ -21,7 +22,7 @@ struct SweepOutlook {
 };
 /// For the published motor, as long as no other is known.
 SweepOutlook sweepOutlook(const IdentifyConfig& config, double start_degC);
-QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook);
+QString outlookText(const IdentifyConfig& config, const SweepOutlook& outlook, const DisplayUnits& units);
 
 /// One estimate; its interval only where it was identified.
 widgets::EstimateRow estimateRow(const QString& name, const control::Estimate& estimate);

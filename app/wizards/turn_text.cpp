@@ -1,6 +1,5 @@
 #include "app/wizards/turn_text.h"
 
-#include "control/base/units.h"
 #include "widgets/controls/progress_row.h"
 #include "widgets/language/display_units.h"
 
@@ -19,14 +18,15 @@ struct Words {
 } // namespace
 
 QString turnText(double turn_rad_s, double turns, double duration_s) {
-    const double speed_rad_s = std::abs(turn_rad_s);
+    const double speed_rad_s = std::abs(turn_rad_s); // in the unit of the form that asks for it
     return (turn_rad_s < 0.0
-                ? Words::tr("The rotor will turn in reverse at %1 rad/s (%2 r/min), about %3 turns, "
-                            "for %4 minutes of device time.")
-                : Words::tr("The rotor will turn forward at %1 rad/s (%2 r/min), about %3 turns, for "
-                            "%4 minutes of device time."))
-        .arg(widgets::fixedText(speed_rad_s, 1), widgets::fixedText(radPerSecondToRpm(speed_rad_s), 0),
-             widgets::fixedText(turns, 0), widgets::durationText(duration_s));
+                ? Words::tr("The rotor will turn in reverse at %1 rad/s, about %2 turns, for %3 minutes of "
+                            "device time.")
+                : Words::tr(
+                      "The rotor will turn forward at %1 rad/s, about %2 turns, for %3 minutes of device "
+                      "time."))
+        .arg(widgets::fixedText(speed_rad_s, 1), widgets::fixedText(turns, 0),
+             widgets::durationText(duration_s));
 }
 
 } // namespace halbench::app

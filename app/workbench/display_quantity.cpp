@@ -187,7 +187,13 @@ DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& u
 }
 
 DisplayQuantity signalQuantity(const SignalSpec& spec, const DisplayUnits& units) {
-    const bool isRatio = spec.unit.empty() && spec.choices.empty() && spec.min == -1.0 && spec.max == 1.0;
+    const bool isPlain = spec.unit.empty() && spec.choices.empty();
+    if (isPlain && spec.name.ends_with("_square")) {
+        DisplayQuantity square = displayQuantity("1", units);
+        square.decimals = 2;
+        return square;
+    }
+    const bool isRatio = isPlain && spec.min == -1.0 && spec.max == 1.0;
     return displayQuantity(isRatio ? "1" : spec.unit, units);
 }
 
@@ -200,6 +206,11 @@ QString angleText(double angle_rad, const DisplayUnits& units, int significantDi
     const bool isDegree = units.angle == widgets::AngleUnit::Degree;
     return widgets::numberText(angle_rad * shown.factor, significantDigits) +
            (isDegree ? QString::fromUtf8(Degree) : QStringLiteral(" rad"));
+}
+
+QString speedText(double speed_rad_s, const DisplayUnits& units, int significantDigits) {
+    const DisplayQuantity shown = displayQuantity("rad/s", units);
+    return widgets::numberText(speed_rad_s * shown.factor, significantDigits) + QLatin1Char(' ') + shown.unit;
 }
 
 QString signalWords(const std::string& name) {

@@ -37,7 +37,7 @@ struct DisplayQuantity {
 DisplayQuantity displayQuantity(const std::string& symbol, const DisplayUnits& units);
 
 /// The same of a signal: one without a unit that also goes below zero and stays within ±1, e.g. a part of a
-/// quaternion, is a ratio and no state.
+/// quaternion, is a ratio and no state, and so is a sum of squares.
 DisplayQuantity signalQuantity(const SignalSpec& spec, const DisplayUnits& units);
 
 /// A power of ten near this step in SI, for a field that shows the quantity.
@@ -45,6 +45,9 @@ double shownStep(const DisplayQuantity& shown, double step);
 
 /// An angle with its unit as the user prefers it: "8.21°", "0.143 rad".
 QString angleText(double angle_rad, const DisplayUnits& units, int significantDigits = 3);
+
+/// A speed with its unit as the user prefers it: "286 r/min", "30 rad/s".
+QString speedText(double speed_rad_s, const DisplayUnits& units, int significantDigits = 3);
 
 /// A signal in words ("Hall A"); the name itself when there are none.
 QString signalWords(const std::string& name);

@@ -26,22 +26,37 @@ ConstantValues valuesOf(const GivenConstants& given) {
             given.torqueConstant_Nm_per_A};
 }
 
-// 1 sigma and Student's factor of one quantity whose error is `gradient` times the ratios' errors.
+// 1 sigma and Student's factor of one quantity whose error is `gradient` times the ratios' errors; limits are
+// added in full.
 double halfWidth95(const Eigen::VectorXd& gradient, const std::vector<ErrorPart>& errors) {
     double total = 0.0;
     double uncertainty = 0.0;
+    double limits = 0.0;
     for (const ErrorPart& part : errors) {
         const double variance = gradient.dot(part.covariance * gradient);
+        if (part.isLimit) {
+            limits += std::sqrt(3.0 * std::fmax(variance, 0.0));
+            continue;
+        }
         total += variance;
         uncertainty += std::isinf(part.freedom) ? 0.0 : variance * variance / part.freedom;
     }
     if (!(total > 0.0)) {
-        return 0.0;
+        return limits;
     }
     const double factor = uncertainty > 1e-9 * total * total
                               ? studentQuantile(0.975, std::fmax(total * total / uncertainty, 1.0))
                               : normalQuantile(0.975);
-    return factor * std::sqrt(total);
+    return limits + factor * std::sqrt(total);
+}
+
+// The causes of one error of the torque's scale, which moves the ratios by `change` times itself.
+void addScaleError(MotorRatios& data, const Eigen::VectorXd& change, const TorqueScaleError& error) {
+    const Eigen::MatrixXd unit = change * change.transpose();
+    data.errors.push_back({error.random_ratio * error.random_ratio * unit, Infinite});
+    if (error.limit_ratio > 0.0) {
+        data.errors.push_back({error.limit_ratio * error.limit_ratio / 3.0 * unit, Infinite, true});
+    }
 }
 
 Estimate identified(double value, double half, std::string unit) {
@@ -354,7 +369,7 @@ const MotorConstantName& motorConstantName(MotorConstant constant) {
 }
 
 MotorRatios motorRatios(const MotionFit& motion, const std::optional<BalanceFit>& balance,
-                        double torque_ratio) {
+                        const TorqueScaleError& error) {
     using enum MotorConstant;
     MotorRatios data;
     data.ratios.push_back({Damping, Inertia, motion.damping_per_s});
@@ -373,37 +388,34 @@ MotorRatios motorRatios(const MotionFit& motion, const std::optional<BalanceFit>
     }
     Eigen::Matrix3d byDamping = Eigen::Matrix3d::Zero();
     byDamping(0, 0) = motion.dampingError_per_s * motion.dampingError_per_s;
-    for (const SharedError& error : motion.sharedErrors) {
-        byDamping(0, 0) += error.damping_per_s * error.damping_per_s;
+    for (const SharedError& shared : motion.sharedErrors) {
+        byDamping(0, 0) += shared.damping_per_s * shared.damping_per_s;
     }
     Eigen::Matrix3d byScatter = Eigen::Matrix3d::Zero();
-    Eigen::Matrix3d bySupply = Eigen::Matrix3d::Zero();
     if (balance) {
         byDamping = balance->dampingCovariance;
         byScatter = balance->scatterCovariance;
-        const double error = torque_ratio * balance->torque_rad_s2_A.value_or(0.0);
-        bySupply(2, 2) = error * error;
     }
     data.errors.push_back({chosen * byDamping * chosen.transpose(), motion.dampingFreedom});
     const bool isScatterSeen = balance && !balance->isScatterAssumed;
     data.errors.push_back({chosen * byScatter * chosen.transpose(),
                            isScatterSeen ? std::fmax(balance->freedom, 1.0) : Infinite});
-    data.errors.push_back({chosen * bySupply * chosen.transpose(), Infinite});
     const double friction = balance ? balance->friction_rad_s2.value_or(0.0) : 0.0;
     const double torque = balance ? balance->torque_rad_s2_A.value_or(0.0) : 0.0;
+    addScaleError(data, chosen * Eigen::Vector3d(0.0, 0.0, torque), error);
     const Eigen::Vector3d clock(motion.damping_per_s, 2.0 * friction, 2.0 * torque);
     const Eigen::VectorXd byClock = chosen * (ClockError_ratio * clock);
     data.errors.push_back({byClock * byClock.transpose(), Infinite});
     return data;
 }
 
-MotorRatios motorRatios(const FrictionSweep& sweep, double torque_ratio) {
+MotorRatios motorRatios(const FrictionSweep& sweep, const TorqueScaleError& error) {
     using enum MotorConstant;
     MotorRatios data;
     data.ratios = {{Damping, Torque, sweep.damping_A_s}, {Friction, Torque, sweep.friction_A}};
     const Eigen::Vector2d values(sweep.damping_A_s, sweep.friction_A);
     data.errors.push_back({sweep.covariance, static_cast<double>(sweep.freedom)});
-    data.errors.push_back({torque_ratio * torque_ratio * values * values.transpose(), Infinite});
+    addScaleError(data, values, error);
     return data;
 }
 

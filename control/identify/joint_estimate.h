@@ -55,6 +55,9 @@ struct MotorRatio {
 struct ErrorPart {
     Eigen::MatrixXd covariance;
     double freedom = 0.0;
+    /// Of one quantity between limits instead: every value may be the true one, so the intervals reach both
+    /// limits. The covariance is that of an even distribution between them, limit^2/3 (GUM 4.3.7).
+    bool isLimit = false;
 };
 
 /// Ratios of the constants, which follow from the data alone.
@@ -63,12 +66,17 @@ struct MotorRatios {
     std::vector<ErrorPart> errors;
 };
 
-/// c/J always, K_f/J and phi/J when the balances decide them. `torque_ratio`: relative 1 sigma of the current
-/// that really flows and of the magnets' strength, which no speed or angle can show.
+/// Relative error of the torque per commanded ampere, which no speed or angle can show.
+struct TorqueScaleError {
+    double random_ratio = 0.0; ///< 1 sigma of the current that really flows and of the magnets' strength
+    double limit_ratio = 0.0;  ///< largest error of that current, where its user states one
+};
+
+/// c/J always, K_f/J and phi/J when the balances decide them.
 MotorRatios motorRatios(const MotionFit& motion, const std::optional<BalanceFit>& balance,
-                        double torque_ratio);
+                        const TorqueScaleError& error);
 /// c/phi and K_f/phi of a steady sweep without transients.
-MotorRatios motorRatios(const FrictionSweep& sweep, double torque_ratio);
+MotorRatios motorRatios(const FrictionSweep& sweep, const TorqueScaleError& error);
 
 /// Do several given constants contradict the data?
 struct Consistency {

@@ -17,7 +17,8 @@ bool isStableWith(const PositionPlant& plant, const FilteredLaw& law, const Loop
 
 SampledAssessment verdictOf(const PositionPlant& plant, const FilteredLaw& law, const LoopTiming& timing) {
     const auto loop = deltaOpenLoop(plant, law, timing);
-    return loop ? sampledAssessment(isStableWith(plant, law, timing), smallestMargins(*loop)) : noMotor();
+    return loop ? SampledAssessment{isStableWith(plant, law, timing), smallestMargins(*loop)}
+                : SampledAssessment{};
 }
 
 } // namespace

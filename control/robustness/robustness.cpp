@@ -54,18 +54,10 @@ Result<void> check(const UncertainPlant& plant, int draws) {
     return {};
 }
 
-StabilityMargins ofUnstable(StabilityMargins margins) {
-    margins.gainMargin_ratio = std::min(margins.gainMargin_ratio, 1.0);
-    margins.phaseMargin_deg = std::min(margins.phaseMargin_deg, 0.0);
-    margins.delayMargin_s = std::min(margins.delayMargin_s, 0.0);
-    margins.modulusMargin = 0.0;
-    return margins;
-}
-
 /// Each draw on its own loop, all of them together. One that is no motor, or a law that is none, has nothing.
 std::vector<SampledAssessment> judge(const std::vector<PositionPlant>& plants, const PidGains& gains,
                                      const LoopTiming& timing) {
-    std::vector<SampledAssessment> judged(plants.size(), noMotor());
+    std::vector<SampledAssessment> judged(plants.size());
     const auto batch = LoopBatch::make(plants, gains, timing);
     if (!batch) {
         return judged;
@@ -73,66 +65,67 @@ std::vector<SampledAssessment> judge(const std::vector<PositionPlant>& plants, c
     const std::vector<BatchVerdict> verdicts = judgeBatch(*batch);
     for (std::size_t lane = 0; lane < verdicts.size(); ++lane) {
         const BatchVerdict& verdict = verdicts[lane];
-        judged[batch->plantOfLane()[lane]] = sampledAssessment(verdict.isStable, verdict.margins);
+        judged[batch->plantOfLane()[lane]] = {verdict.isStable, verdict.margins};
     }
     return judged;
 }
 
 template <typename Figure>
-Robustness::Interval spreadOfDraws(const std::vector<SampledAssessment>& draws, Figure figure) {
-    Eigen::ArrayXd values(static_cast<Eigen::Index>(draws.size()));
-    for (std::size_t i = 0; i < draws.size(); ++i) {
-        values[static_cast<Eigen::Index>(i)] = figure(draws[i]);
+Robustness::Interval spread(const std::vector<StabilityMargins>& margins, Figure figure) {
+    Eigen::ArrayXd values(static_cast<Eigen::Index>(margins.size()));
+    for (std::size_t i = 0; i < margins.size(); ++i) {
+        values[static_cast<Eigen::Index>(i)] = figure(margins[i]);
     }
     const MiddleNineTenths middle = middleNineTenths(values);
     return {middle.p5, middle.p95};
 }
 
-template <typename Figure>
-Robustness::Interval spread(const std::vector<SampledAssessment>& draws, Figure figure) {
-    return spreadOfDraws(draws, [&figure](const SampledAssessment& draw) { return figure(draw.margins); });
+double eitherWay_ratio(const StabilityMargins& margins) {
+    const double ratio = margins.gainMargin_ratio;
+    return ratio > 0.0 ? std::max(ratio, 1.0 / ratio) : std::min(ratio, 1.0);
 }
 
-double eitherWay_ratio(const SampledAssessment& draw) {
-    const double ratio = draw.margins.gainMargin_ratio;
-    return draw.isStable && ratio > 0.0 ? std::max(ratio, 1.0 / ratio) : std::min(ratio, 1.0);
+std::vector<StabilityMargins> marginsOfStable(const std::vector<SampledAssessment>& draws) {
+    std::vector<StabilityMargins> margins;
+    margins.reserve(draws.size());
+    for (const SampledAssessment& draw : draws) {
+        if (draw.isStable) {
+            margins.push_back(draw.margins);
+        }
+    }
+    return margins;
 }
 
 } // namespace
-
-SampledAssessment sampledAssessment(bool isStable, const StabilityMargins& margins) {
-    return {isStable, isStable ? margins : ofUnstable(margins)};
-}
-
-SampledAssessment noMotor() {
-    return {false, ofUnstable({0.0, 0.0, {}, {}, 0.0, 0.0})};
-}
 
 bool isUncertain(const UncertainPlant& plant) {
     return plant.covariance.size() > 0 && plant.covariance.diagonal().maxCoeff() > 0.0;
 }
 
 Robustness robustnessOf(const std::vector<SampledAssessment>& draws, bool isUncertain) {
-    const auto gain = spread(draws, [](const StabilityMargins& m) { return m.gainMargin_ratio; });
-    const auto phase = spread(draws, [](const StabilityMargins& m) { return m.phaseMargin_deg; });
-    const auto count = static_cast<double>(draws.size());
-    const auto unstable = std::count_if(draws.begin(), draws.end(),
-                                        [](const SampledAssessment& draw) { return !draw.isStable; });
-    Robustness robust{static_cast<int>(draws.size()), gain.p5, phase.p5,
-                      static_cast<double>(unstable) / count};
-    robust.gainMarginEitherWay_ratio_p5 = spreadOfDraws(draws, eitherWay_ratio).p5;
+    const std::vector<StabilityMargins> stable = marginsOfStable(draws);
+    const auto unstable = static_cast<double>(draws.size() - stable.size());
+    Robustness robust{static_cast<int>(draws.size()), unstable / static_cast<double>(draws.size()),
+                      isUncertain};
+    if (stable.empty()) {
+        return robust;
+    }
+    const auto gain = spread(stable, [](const StabilityMargins& m) { return m.gainMargin_ratio; });
+    const auto phase = spread(stable, [](const StabilityMargins& m) { return m.phaseMargin_deg; });
+    robust.gainMargin_ratio_p5 = gain.p5;
+    robust.phaseMargin_deg_p5 = phase.p5;
+    robust.gainMarginEitherWay_ratio_p5 = spread(stable, eitherWay_ratio).p5;
     if (!isUncertain) {
         return robust;
     }
     robust.gainMargin_ratio = gain;
     robust.phaseMargin_deg = phase;
-    robust.delayMargin_s = spread(draws, [](const StabilityMargins& m) { return m.delayMargin_s; });
-    robust.modulusMargin = spread(draws, [](const StabilityMargins& m) { return m.modulusMargin; });
-    if (std::all_of(draws.begin(), draws.end(), [](const SampledAssessment& draw) {
-            return draw.margins.gainCrossover_rad_s.has_value();
-        })) {
+    robust.delayMargin_s = spread(stable, [](const StabilityMargins& m) { return m.delayMargin_s; });
+    robust.modulusMargin = spread(stable, [](const StabilityMargins& m) { return m.modulusMargin; });
+    if (std::all_of(stable.begin(), stable.end(),
+                    [](const StabilityMargins& m) { return m.gainCrossover_rad_s.has_value(); })) {
         robust.gainCrossover_rad_s =
-            spread(draws, [](const StabilityMargins& m) { return *m.gainCrossover_rad_s; });
+            spread(stable, [](const StabilityMargins& m) { return *m.gainCrossover_rad_s; });
     }
     return robust;
 }

@@ -11,14 +11,18 @@
 
 namespace halbench::control {
 
-/// How a design fares over the uncertainty of the identified motor.
+/// How a design fares over the uncertainty of the identified motor. Margins are those of the draws whose loop
+/// is stable: an unstable loop has none, and `unstable_fraction` says how many there are.
 struct Robustness {
     int draws = 0;
-    double gainMargin_ratio_p5 = 0.0; ///< 5th percentile; infinite when that draw has no phase crossing
-    double phaseMargin_deg_p5 = 0.0;
     double unstable_fraction = 0.0; ///< draws whose sampled loop is unstable
+    bool isUncertain = false;       ///< else every draw is the same plant
+    /// 5th percentile, nothing when no draw is stable; infinite when that draw has no phase crossing.
+    std::optional<double> gainMargin_ratio_p5 = {};
+    std::optional<double> phaseMargin_deg_p5 = {};
 
-    /// The middle nine tenths of the draws. Nothing is known of it for a plant without uncertainty.
+    /// The middle nine tenths. Nothing is known of it for a plant without uncertainty, or when no draw is
+    /// stable.
     struct Interval {
         double p5 = 0.0;
         double p95 = 0.0;
@@ -31,8 +35,8 @@ struct Robustness {
 
     /// 5th percentile of the factor by which the gain may change either way: of a loop whose gain may neither
     /// fall nor rise freely some draws have their nearest limit below and others above, and a percentile of
-    /// `gainMargin_ratio` says nothing of how near. At most 1 for an unstable draw.
-    double gainMarginEitherWay_ratio_p5 = 0.0;
+    /// `gainMargin_ratio` says nothing of how near.
+    std::optional<double> gainMarginEitherWay_ratio_p5 = {};
 };
 
 /// A joint normal uncertainty of some parameters and how they make a plant. A draw that is no motor (gain not
@@ -48,10 +52,8 @@ struct UncertainPlant {
 /// not positive semi-definite), NotFinite, OutOfRange (draws).
 Result<std::vector<PositionPlant>> drawPlants(const UncertainPlant& plant, int draws, Random random);
 
-/// Draws `draws` (at least 1000) plants and judges the sampled loop of each. An unstable draw counts with a
-/// gain margin of at most 1, a phase and delay margin of at most 0 and a modulus margin of 0. Deterministic
-/// for a seed. Errors: InvalidInput (sizes, covariance not positive semi-definite), NotFinite, OutOfRange
-/// (draws).
+/// Draws `draws` (at least 1000) plants and judges the sampled loop of each. Deterministic for a seed.
+/// Errors: InvalidInput (sizes, covariance not positive semi-definite), NotFinite, OutOfRange (draws).
 Result<Robustness> assessRobustness(const UncertainPlant& plant, const PidGains& gains,
                                     const LoopTiming& timing, int draws, Random random);
 

@@ -7,16 +7,11 @@
 
 namespace halbench::control {
 
-/// The loop of one drawn motor.
+/// The loop of one drawn plant; one that is no motor is not stable.
 struct SampledAssessment {
     bool isStable = false;
-    StabilityMargins margins;
+    StabilityMargins margins; ///< of an unstable loop without meaning: it may cross with some that look fine
 };
-
-/// With what a loop beyond the limit must not count with taken out: it may cross with margins that look fine.
-SampledAssessment sampledAssessment(bool isStable, const StabilityMargins& margins);
-/// Of a draw that is no motor.
-SampledAssessment noMotor();
 
 /// Of at least one draw. Without uncertainty nothing is known of the intervals.
 Robustness robustnessOf(const std::vector<SampledAssessment>& draws, bool isUncertain);

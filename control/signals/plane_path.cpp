@@ -45,15 +45,38 @@ Result<void> checkCount(const char* name, int count) {
 }
 
 Result<void> checkPath(const PlanePathConfig& config) {
+    if (!std::isfinite(config.heading_rad)) {
+        return failure(ErrorCode::NotFinite, "the heading of a path is not a number", "Give a finite angle.");
+    }
     if (config.shape == Shape::Circle) {
         auto size = checkSize("radius", config.radius);
         return size ? checkCount("turns", config.turns) : size;
+    }
+    if (config.shape == Shape::Arc) {
+        auto size = checkSize("radius", config.radius);
+        return size ? checkSize("angle", config.angle_rad) : size;
+    }
+    if (config.shape == Shape::Line) {
+        return checkSize("length", config.length);
     }
     if (auto size = checkSize("width", config.width); !size) {
         return size;
     }
     auto count = checkCount("lines", config.lines);
     return count && config.lines > 1 ? checkSize("pitch", config.pitch) : count;
+}
+
+/// A circle whose centre lies in +x begins in the direction of -y.
+std::array<double, 2> directionOf(const PlanePathConfig& config) {
+    if (config.shape == Shape::Circle) {
+        return {0.0, config.radius > 0.0 ? -1.0 : 1.0};
+    }
+    return {std::cos(config.heading_rad), std::sin(config.heading_rad)};
+}
+
+/// Angle of a whole circle or arc, positive.
+double bendOf(const PlanePathConfig& config) {
+    return config.shape == Shape::Circle ? 2.0 * Pi * config.turns : std::fabs(config.angle_rad);
 }
 
 /// To the part of a line between two ends.
@@ -71,10 +94,15 @@ Result<PlanePath> PlanePath::make(const PlanePathConfig& config, double period_s
     PlanePath path;
     path.m_config = config;
     path.m_period_s = period_s;
-    if (config.shape == Shape::Circle) {
+    path.m_direction = directionOf(config);
+    if (path.isBent()) {
         const double radius = std::fabs(config.radius);
-        const auto added = path.addPiece(2.0 * Pi * radius * config.turns, true,
-                                         halbench::control::onCircle(config.limits, radius));
+        const auto added =
+            path.addPiece(radius * bendOf(config), true, halbench::control::onCircle(config.limits, radius));
+        return added ? Result<PlanePath>(path) : failure(added.error());
+    }
+    if (config.shape == Shape::Line) {
+        const auto added = path.addPiece(config.length, true, config.limits);
         return added ? Result<PlanePath>(path) : failure(added.error());
     }
     for (int line = 0; line < config.lines; ++line) {
@@ -112,15 +140,28 @@ double PlanePath::duration_s() const {
     return last.from_s + samples * m_period_s;
 }
 
-PlanePoint PlanePath::onCircle(const TravelPoint& along) const {
-    const double radius = m_config.radius;
-    const double angle = along.value / std::fabs(radius);
-    const double rate = along.speed / std::fabs(radius);
-    const double change = along.acceleration / std::fabs(radius);
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    return {TravelPoint{radius * (1.0 - c), radius * s * rate, radius * (c * rate * rate + s * change)},
-            TravelPoint{-radius * s, -radius * c * rate, radius * (s * rate * rate - c * change)}};
+bool PlanePath::isBent() const {
+    return m_config.shape == Shape::Circle || m_config.shape == Shape::Arc;
+}
+
+/// From the frame of the start, whose second axis points to the left, into that of the axes.
+PlanePoint PlanePath::turned(const TravelPoint& ahead, const TravelPoint& across) const {
+    const auto [c, s] = m_direction;
+    return {TravelPoint{c * ahead.value - s * across.value, c * ahead.speed - s * across.speed,
+                        c * ahead.acceleration - s * across.acceleration},
+            TravelPoint{s * ahead.value + c * across.value, s * ahead.speed + c * across.speed,
+                        s * ahead.acceleration + c * across.acceleration}};
+}
+
+PlanePoint PlanePath::onArc(const TravelPoint& along) const {
+    const double radius = std::fabs(m_config.radius);
+    const double side = m_config.shape == Shape::Arc && m_config.angle_rad < 0.0 ? -radius : radius;
+    const double rate = along.speed / radius;
+    const double change = along.acceleration / radius;
+    const double c = std::cos(along.value / radius);
+    const double s = std::sin(along.value / radius);
+    return turned({radius * s, radius * c * rate, radius * (c * change - s * rate * rate)},
+                  {side * (1.0 - c), side * s * rate, side * (c * rate * rate + s * change)});
 }
 
 PlanePoint PlanePath::at(double time_s) const {
@@ -128,17 +169,42 @@ PlanePoint PlanePath::at(double time_s) const {
                                   [](double time, const Piece& piece) { return time < piece.from_s; });
     const Piece& piece = after == m_pieces.begin() ? m_pieces.front() : *(after - 1);
     TravelPoint along = piece.profile.at(time_s - piece.from_s);
-    if (m_config.shape == Shape::Circle) {
-        return onCircle(along);
+    if (isBent()) {
+        return onArc(along);
+    }
+    if (m_config.shape == Shape::Line) {
+        return turned(along, {});
     }
     along.value += piece.isAlongX ? piece.x : piece.y;
     return piece.isAlongX ? PlanePoint{along, TravelPoint{piece.y, 0.0, 0.0}}
                           : PlanePoint{TravelPoint{piece.x, 0.0, 0.0}, along};
 }
 
+/// Within the angle of the arc the nearest point lies on the ray from the centre, else it is an end.
+double PlanePath::distanceFromArc(double x, double y) const {
+    const double radius = std::fabs(m_config.radius);
+    const bool isRight = m_config.shape == Shape::Arc && m_config.angle_rad < 0.0;
+    const auto [c, s] = m_direction;
+    const double ahead =
+        c * x + s * y; // in the frame of the start, mirrored so that the arc bends to the left
+    const double across = (isRight ? -1.0 : 1.0) * (c * y - s * x) - radius; // from the centre
+    double angle = std::atan2(ahead, -across);                               // 0 at the start
+    angle = angle < 0.0 ? angle + 2.0 * Pi : angle;
+    const double bend = bendOf(m_config);
+    if (angle <= bend) {
+        return std::fabs(std::hypot(ahead, across) - radius);
+    }
+    return std::min(std::hypot(ahead, across + radius),
+                    std::hypot(ahead - radius * std::sin(bend), across + radius * std::cos(bend)));
+}
+
 double PlanePath::distanceFrom(double x, double y) const {
-    if (m_config.shape == Shape::Circle) {
-        return std::fabs(std::hypot(x - m_config.radius, y) - std::fabs(m_config.radius));
+    if (isBent()) {
+        return distanceFromArc(x, y);
+    }
+    if (m_config.shape == Shape::Line) {
+        const auto [c, s] = m_direction;
+        return distanceToSegment(c * x + s * y, c * y - s * x, 0.0, m_config.length);
     }
     double distance = std::numeric_limits<double>::max();
     for (const Piece& piece : m_pieces) {
@@ -150,9 +216,30 @@ double PlanePath::distanceFrom(double x, double y) const {
     return distance;
 }
 
+/// At its ends and where the direction is that of an axis: every quarter turn from there.
+std::array<double, 2> PlanePath::reachOfArc() const {
+    const double radius = std::fabs(m_config.radius);
+    const double bend = bendOf(m_config);
+    const double sign = m_config.shape == Shape::Arc && m_config.angle_rad < 0.0 ? -1.0 : 1.0;
+    const double quarter = 0.5 * Pi;
+    const double start = sign * std::atan2(m_direction[1], m_direction[0]);
+    const PlanePoint end = onArc({radius * bend, 0.0, 0.0});
+    std::array<double, 2> reach = {std::fabs(end[0].value), std::fabs(end[1].value)};
+    const double first = std::ceil(start / quarter) * quarter - start;
+    for (double angle = first; angle <= std::min(bend, first + 2.0 * Pi); angle += quarter) {
+        const PlanePoint point = onArc({radius * angle, 0.0, 0.0});
+        reach = {std::max(reach[0], std::fabs(point[0].value)),
+                 std::max(reach[1], std::fabs(point[1].value))};
+    }
+    return reach;
+}
+
 std::array<double, 2> PlanePath::reach() const {
-    if (m_config.shape == Shape::Circle) {
-        return {2.0 * std::fabs(m_config.radius), std::fabs(m_config.radius)};
+    if (isBent()) {
+        return reachOfArc();
+    }
+    if (m_config.shape == Shape::Line) {
+        return {std::fabs(m_direction[0] * m_config.length), std::fabs(m_direction[1] * m_config.length)};
     }
     return {std::fabs(m_config.width), std::fabs(m_config.pitch) * (m_config.lines - 1)};
 }

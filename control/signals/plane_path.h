@@ -12,15 +12,19 @@ namespace halbench::control {
 ///
 /// Circle: counter-clockwise, begins in the origin, with its centre a radius away along +x (-x for a
 /// negative radius). Raster: lines along x, forth and back, a pitch along y between them; it rests at every
-/// corner.
+/// corner. Arc: of a radius through an angle, counter-clockwise where that is positive; begins in the
+/// direction `heading`, counted from +x towards +y. Line: of a length in that direction.
 struct PlanePathConfig {
-    enum class Shape { Circle, Raster };
+    enum class Shape { Circle, Raster, Arc, Line };
     Shape shape = Shape::Circle;
     double radius = 0.0;
     int turns = 1;
     double width = 0.0;
     double pitch = 0.0;
     int lines = 1;
+    double angle_rad = 0.0;
+    double heading_rad = 0.0;
+    double length = 0.0;
     TravelLimits limits;
 };
 
@@ -50,9 +54,14 @@ private:
     };
     PlanePath() = default;
     Result<void> addPiece(double length, bool isAlongX, const TravelLimits& limits);
-    PlanePoint onCircle(const TravelPoint& along) const;
+    bool isBent() const;
+    PlanePoint turned(const TravelPoint& ahead, const TravelPoint& across) const;
+    PlanePoint onArc(const TravelPoint& along) const;
+    double distanceFromArc(double x, double y) const;
+    std::array<double, 2> reachOfArc() const;
 
     PlanePathConfig m_config;
+    std::array<double, 2> m_direction = {1.0, 0.0}; ///< at the start, of length one
     double m_period_s = 1e-3;
     std::vector<Piece> m_pieces;
 };

@@ -8,6 +8,20 @@
 
 namespace halbench::devices {
 
+std::vector<OverrideSpec> commonOverrideSpecs() {
+    OverrideSpec seed{
+        "seed", "", 0.0, 18446744073709551615.0, 1.0, "noise and drawn errors of this specimen"};
+    OverrideSpec imperfections;
+    imperfections.key = "imperfections";
+    imperfections.choices = {"on", "off"};
+    imperfections.meaning = "noise, sensor errors and spread";
+    OverrideSpec chain;
+    chain.key = "chain";
+    chain.choices = {"full", "ideal"};
+    chain.meaning = "converters and amplifiers, or exact values";
+    return {seed, imperfections, chain};
+}
+
 Result<double> parseOverride(const std::string& key, const std::string& text, const std::string& keys) {
     double value = 0.0;
     const char* end = text.data() + text.size();

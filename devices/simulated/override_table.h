@@ -16,6 +16,21 @@ Result<double> parseOverride(const std::string& key, const std::string& text, co
 Result<bool> parseOverrideChoice(const Overrides& overrides, const std::string& key, const char* usual,
                                  const char* other, const std::string& keys);
 
+/// `seed`, `imperfections` and `chain`, which every device takes.
+std::vector<OverrideSpec> commonOverrideSpecs();
+
+/// Those and the keys of one device. `specs` have key, unit, min, max and meaning; `standardOf` gives the
+/// value of a key where nothing is written, nothing where the seed draws it.
+template <typename Specs, typename StandardOf>
+std::vector<OverrideSpec> overrideSpecs(const Specs& specs, StandardOf standardOf) {
+    std::vector<OverrideSpec> all = commonOverrideSpecs();
+    for (const auto& spec : specs) {
+        all.push_back({std::string(spec.key), std::string(spec.unit), spec.min, spec.max,
+                       standardOf(spec.key), std::string(spec.meaning)});
+    }
+    return all;
+}
+
 /// What an address may change in the parameters of one simulated device. Besides its own keys every device
 /// takes `imperfections` (on, off) and `chain` (full, ideal).
 template <typename Parameters>

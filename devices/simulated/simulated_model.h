@@ -4,6 +4,7 @@
 #include "devices/simulated/simulated_board.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,18 @@ namespace halbench::devices {
 
 /// KEY and VALUE of a device address, as written.
 using Overrides = std::vector<std::pair<std::string, std::string>>;
+
+/// One key of an address: its number in `unit`, from `min` to `max`.
+struct OverrideSpec {
+    std::string key;
+    std::string unit; ///< of the value as written
+    double min = 0.0;
+    double max = 0.0;
+    std::optional<double> standard;        ///< nothing: drawn from the seed
+    std::string meaning;                   ///< a few words
+    std::vector<std::string> choices = {}; ///< of a key that takes words
+    bool isText = false;                   ///< takes any text, e.g. the name of a file
+};
 
 /// One simulated device that can be opened: `sim:NAME?KEY=VALUE&...`.
 struct SimulatedModel {
@@ -25,6 +38,7 @@ struct SimulatedModel {
     std::function<Result<std::unique_ptr<SimulatedBoard>>(const Overrides&, std::uint64_t seed,
                                                           SimulatedBoard::Line line)>
         make;
+    std::vector<OverrideSpec> keys = {}; ///< those of `overrides` with ranges; empty: the device has no table
 };
 
 } // namespace halbench::devices

@@ -10,6 +10,8 @@ namespace {
 constexpr int Tick_ms = 1;
 /// A host that slept longer lets the board sleep too.
 constexpr double MaxCatchUp_s = 0.5;
+/// So much of the board's time at once: what it sends meanwhile fits its queue, which overflows otherwise.
+constexpr double Piece_s = 0.01;
 
 } // namespace
 
@@ -20,11 +22,15 @@ void serveBoard(ServerPort& port, ServedBoard& board, const std::atomic<int>& in
     while (interruptSignal.load() == 0) {
         port.waitForTraffic(Tick_ms);
         const auto now = WallClock::now();
-        board_s += std::min(std::chrono::duration<double>(now - last).count(), MaxCatchUp_s);
+        const double until_s =
+            board_s + std::min(std::chrono::duration<double>(now - last).count(), MaxCatchUp_s);
         last = now;
-        board.advanceTo(board_s);
-        port.advanceTo(board_s);
-        port.exchange(board);
+        do {
+            board_s = std::min(board_s + Piece_s, until_s);
+            board.advanceTo(board_s);
+            port.advanceTo(board_s);
+            port.exchange(board);
+        } while (board_s < until_s && interruptSignal.load() == 0);
     }
 }
 

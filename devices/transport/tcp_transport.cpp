@@ -46,6 +46,7 @@ Result<void> TcpTransport::open() {
     m_socket = *std::move(socket);
     m_parser = MessageParser(MaxPacket);
     m_counters = {};
+    m_isAnswered = false;
     return {};
 }
 
@@ -85,8 +86,14 @@ Result<bool> TcpTransport::takeMessage(std::vector<std::uint8_t>& packet) {
         return false;
     }
     const std::uint16_t counter = (*message)->counter;
-    m_statistics.packetsLost += m_counters.missingBefore(counter);
-    m_counters.take(counter);
+    // A server that still serves another master refuses in its own name and counts its refusals itself: the
+    // board's counter begins with its first answer.
+    constexpr std::uint8_t Answer = 0xFF;
+    m_isAnswered = m_isAnswered || (*message)->packet.front() == Answer;
+    if (m_isAnswered) {
+        m_statistics.packetsLost += m_counters.missingBefore(counter);
+        m_counters.take(counter);
+    }
     ++m_statistics.packetsReceived;
     packet.assign((*message)->packet.begin(), (*message)->packet.end());
     return true;

@@ -36,6 +36,7 @@ private:
     std::vector<std::uint8_t> m_outgoing;
     std::uint16_t m_sendCounter = 0;
     CounterWatch m_counters;
+    bool m_isAnswered = false; ///< by the board itself, on this connection
     std::chrono::steady_clock::time_point m_start;
 };
 

@@ -167,7 +167,8 @@ Reply<Packet> XcpLink::awaitAnswer(std::uint8_t command, double deadline_s) {
             Trouble refused =
                 trouble(TroubleCause::Slave, ErrorCode::DeviceRefused,
                         fmt::format("the device rejected {}: {}", commandName(command), slaveErrorText(code)),
-                        "check the value and the board's state");
+                        "check the value and the board's state; on a link without checksum, such as tcp:, a "
+                        "command that the line damaged is rejected likewise: check the line too");
             refused.slaveError = code;
             return tl::unexpected(std::move(refused));
         }

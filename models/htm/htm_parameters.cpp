@@ -64,8 +64,8 @@ const std::array Specs = {
                      "relative once-per-turn friction, amplitude", HB_SHARED(frictionPerTurn_ratio)},
     HtmParameterSpec{"Ks_over_Kf", "", 1.0, 3.0, 1.0, 'A', "static over kinetic friction",
                      HB_SHARED(staticFriction_ratio)},
-    HtmParameterSpec{"friction_asymmetry", "", -0.5, 0.5, 1.0, 'A', "(Kf+ - Kf-)/(Kf+ + Kf-)",
-                     HB_SHARED(frictionAsymmetry_ratio)},
+    HtmParameterSpec{"friction_asymmetry", "", -0.5, 0.5, 1.0, 'A',
+                     "asymmetry of friction, (Kf+ - Kf-)/(Kf+ + Kf-)", HB_SHARED(frictionAsymmetry_ratio)},
     HtmParameterSpec{"stribeck_speed", "rad/s", 0.0, 10.0, 1.0, 'A', "speed at which static friction fades",
                      HB_SHARED(stribeckSpeed_rad_s)},
     // Hall sensors and magnets, section 9

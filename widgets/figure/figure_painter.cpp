@@ -35,10 +35,14 @@ constexpr double RightTitle_px = 10.0;    ///< from the right one
 
 QPen curvePen(CurveStyle style, const QColor& colour) {
     QPen pen(colour, isMarkers(style) ? 1.2 : CurveWidth_px);
+    pen.setCapStyle(Qt::FlatCap); // square ends would fill the gaps, and hide the curve below
     pen.setStyle(style == CurveStyle::DashedLine    ? Qt::DashLine
                  : style == CurveStyle::DottedLine  ? Qt::DotLine
                  : style == CurveStyle::DashDotLine ? Qt::DashDotLine
                                                     : Qt::SolidLine);
+    if (style == CurveStyle::DashedLine) {
+        pen.setDashPattern({4.0, 4.0}); // as much of the curve below is seen where both agree
+    }
     pen.setJoinStyle(Qt::RoundJoin);
     return pen;
 }

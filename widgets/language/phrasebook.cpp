@@ -34,8 +34,8 @@ struct Phrasebook {
 Phrasebook readTables() {
     Phrasebook book;
     for (const auto& table :
-         {phrasesOfBoards(), phrasesOfControl(), phrasesOfLines(), phrasesOfDevices(), phrasesOfTuning(),
-          phrasesOfProcedures(), phrasesOfActuators(), phrasesOfFiles()}) {
+         {phrasesOfBoards(), phrasesOfSimulation(), phrasesOfControl(), phrasesOfLines(), phrasesOfDevices(),
+          phrasesOfTuning(), phrasesOfProcedures(), phrasesOfActuators(), phrasesOfFiles()}) {
         for (const char* phrase : table) {
             const QStringList pieces = QString::fromUtf8(phrase).split(QStringLiteral("{}"));
             if (pieces.size() == 1) {

@@ -9,12 +9,14 @@ namespace halbench::widgets {
 namespace {
 
 constexpr const char* Table[] = {
-    QT_TRANSLATE_NOOP("Phrases", "moving mass"),
+    QT_TRANSLATE_NOOP("Phrases", "Moving mass"),
     QT_TRANSLATE_NOOP("Phrases", "the sensors of this device need no calibration"),
     QT_TRANSLATE_NOOP("Phrases", "use identify or record"),
     QT_TRANSLATE_NOOP("Phrases", "the parts of a motor are known of a simulated one only"),
     QT_TRANSLATE_NOOP("Phrases", "use --device sim:htm"),
+    QT_TRANSLATE_NOOP("Phrases", "Viscous damping"),
     QT_TRANSLATE_NOOP("Phrases", "Coulomb friction"),
+    QT_TRANSLATE_NOOP("Phrases", "Torque constant"),
     QT_TRANSLATE_NOOP("Phrases", "Halbach torque motor"),
     QT_TRANSLATE_NOOP("Phrases", "the motion covers {} mm, less than the pitch of {} mm"),
     QT_TRANSLATE_NOOP("Phrases", "Start nearer to the middle, or widen window.x and window.y."),
@@ -47,6 +49,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Design with the upper bound, or identify again with more room."),
     QT_TRANSLATE_NOOP("Phrases", "Nothing to do: an air film has none."),
     QT_TRANSLATE_NOOP("Phrases", "inertia over mass"),
+    QT_TRANSLATE_NOOP("Phrases", "moving mass"),
     QT_TRANSLATE_NOOP("Phrases", "inertia about the vertical"),
     QT_TRANSLATE_NOOP("Phrases", "force constant of coils 1 and 2"),
     QT_TRANSLATE_NOOP("Phrases", "force constant of coils 3 and 4"),
@@ -86,6 +89,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Its catalogue needs position, current.coil1 to 6 and hall.x1 to y3."),
     QT_TRANSLATE_NOOP("Phrases", "the platen left its window: {} {} from where it began in {}, the window is {} {}"),
     QT_TRANSLATE_NOOP("Phrases", "Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the platen to the middle, and start again."),
+    QT_TRANSLATE_NOOP("Phrases", "Inertia about the vertical"),
     QT_TRANSLATE_NOOP("Phrases", "{}alpha {}, beta {}, gamma {} deg"),
     QT_TRANSLATE_NOOP("Phrases", "a device that only senses has no static friction to calibrate"),
     QT_TRANSLATE_NOOP("Phrases", "choose hall, stray or all"),

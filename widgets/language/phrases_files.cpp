@@ -137,8 +137,6 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "{}: cannot write: {}"),
     QT_TRANSLATE_NOOP("Phrases", "free space on the disk"),
     QT_TRANSLATE_NOOP("Phrases", "choose another path or change its permissions"),
-    QT_TRANSLATE_NOOP("Phrases", "--out {} would overwrite the recording"),
-    QT_TRANSLATE_NOOP("Phrases", "use another file name"),
     QT_TRANSLATE_NOOP("Phrases", "{}: is a folder"),
     QT_TRANSLATE_NOOP("Phrases", "name a file"),
     QT_TRANSLATE_NOOP("Phrases", "{}: cannot read: {}"),

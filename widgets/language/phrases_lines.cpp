@@ -233,7 +233,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "try again"),
     QT_TRANSLATE_NOOP("Phrases", "{} does not answer {}"),
     QT_TRANSLATE_NOOP("Phrases", "the device rejected {}: {}"),
-    QT_TRANSLATE_NOOP("Phrases", "check the value and the board's state"),
+    QT_TRANSLATE_NOOP("Phrases", "check the value and the board's state; on a link without checksum, such as tcp:, a command that the line damaged is rejected likewise: check the line too"),
     QT_TRANSLATE_NOOP("Phrases", "{} ended the session (watchdog timeout, or another program connected)"),
     QT_TRANSLATE_NOOP("Phrases", "make sure that no other program uses the device, then connect again"),
     QT_TRANSLATE_NOOP("Phrases", "{} stopped responding"),

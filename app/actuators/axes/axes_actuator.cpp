@@ -8,7 +8,7 @@
 namespace halbench::app {
 namespace {
 
-constexpr std::array AxesConstants = {KnownConstant{"m", "kg", "moving mass"}};
+constexpr std::array AxesConstants = {KnownConstant{"m", "kg", "Moving mass"}};
 
 Error nothingToCalibrate() {
     return {ErrorCode::Usage, "the sensors of this device need no calibration", "use identify or record"};

@@ -10,8 +10,8 @@ namespace halbench::app {
 namespace {
 
 constexpr std::array MotorConstants = {
-    KnownConstant{"J", "kg*m^2", "inertia"}, KnownConstant{"c", "N*m*s/rad", "viscous damping"},
-    KnownConstant{"Kf", "N*m", "Coulomb friction"}, KnownConstant{"phi", "N*m/A", "torque constant"}};
+    KnownConstant{"J", "kg*m^2", "Inertia"}, KnownConstant{"c", "N*m*s/rad", "Viscous damping"},
+    KnownConstant{"Kf", "N*m", "Coulomb friction"}, KnownConstant{"phi", "N*m/A", "Torque constant"}};
 
 Result<void> checkOnlyAxis(const devices::Catalogue& catalogue, const std::string& name) {
     if (catalogue.axes.empty() && name.empty()) {

@@ -8,8 +8,8 @@
 namespace halbench::app {
 namespace {
 
-constexpr std::array PlatenConstants = {KnownConstant{"m", "kg", "moving mass"},
-                                        KnownConstant{"Iz", "kg*m^2", "inertia about the vertical"}};
+constexpr std::array PlatenConstants = {KnownConstant{"m", "kg", "Moving mass"},
+                                        KnownConstant{"Iz", "kg*m^2", "Inertia about the vertical"}};
 
 } // namespace
 

@@ -101,17 +101,6 @@ Result<void> writeFile(const std::string& path, std::string_view content) {
     return {};
 }
 
-Result<void> checkIsNoInput(const std::string& path, const std::vector<std::string>& inputs) {
-    for (const std::string& input : inputs) {
-        std::error_code missing; // a file that is not there is none of the inputs
-        if (std::filesystem::equivalent(path, input, missing)) {
-            return failure(ErrorCode::Usage, fmt::format("--out {} would overwrite the recording", path),
-                           "use another file name");
-        }
-    }
-    return {};
-}
-
 Result<std::string> readFile(const std::string& path) {
     constexpr std::uintmax_t Largest = 256u << 20;
     std::error_code cause;

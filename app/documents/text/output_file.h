@@ -18,9 +18,6 @@ Result<void> createFolder(const std::string& folder);
 /// partial file is removed and the old `path` stays as it was. Folders are created. Error: FileSystem.
 Result<void> writeFile(const std::string& path, std::string_view content);
 
-/// A result must not replace what it is made of, under whatever name. Error: Usage.
-Result<void> checkIsNoInput(const std::string& path, const std::vector<std::string>& inputs);
-
 /// Reads a whole file of at most 256 MB. Error: FileSystem.
 Result<std::string> readFile(const std::string& path);
 

@@ -19,9 +19,10 @@ Result<void> admit(const TuneResult& judged, const StepNumber& step) {
     constexpr double LeastGain_ratio = 1.1;
     const control::Robustness& robust = judged.robust;
     // A loop that integrates more than its motor damps has a limit below its gain too, maybe the nearer one.
-    const double gain = std::max(robust.gainMarginEitherWay_ratio_p5, 0.0);
-    const bool isRobust = robust.unstable_fraction < MostUnstable_ratio &&
-                          robust.phaseMargin_deg_p5 >= LeastPhase_deg && gain >= LeastGain_ratio;
+    const double gain = std::max(robust.gainMarginEitherWay_ratio_p5.value_or(0.0), 0.0);
+    const double phase_deg = robust.phaseMargin_deg_p5.value_or(0.0);
+    const bool isRobust = robust.unstable_fraction < MostUnstable_ratio && phase_deg >= LeastPhase_deg &&
+                          gain >= LeastGain_ratio;
     if (judged.predicted.isStable && isRobust) {
         return {};
     }
@@ -30,7 +31,7 @@ Result<void> admit(const TuneResult& judged, const StepNumber& step) {
                                "uncertainty, margins {:.3g} deg and {:.3g}",
                                step.number, step.count,
                                judged.predicted.isStable ? 100.0 * robust.unstable_fraction : 100.0,
-                               robust.phaseMargin_deg_p5, gain),
+                               phase_deg, gain),
                    "nothing was written; use gains with larger margins, or identify more precisely");
 }
 

@@ -33,8 +33,12 @@ void TurnWatch::take(const SampleBlock& block) {
     }
 }
 
+bool TurnWatch::isNearStandstill() const {
+    return m_lowest_rad_s < Least_ratio * std::abs(m_limits.turn_rad_s);
+}
+
 Result<void> TurnWatch::check() const {
-    if (m_lowest_rad_s < Least_ratio * std::abs(m_limits.turn_rad_s)) {
+    if (isNearStandstill()) {
         return failure(ErrorCode::Refused,
                        fmt::format("the speed fell to {:.3g} rad/s at a base speed of {:.3g} rad/s: near "
                                    "standstill friction is not a constant offset",

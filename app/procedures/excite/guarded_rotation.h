@@ -29,6 +29,7 @@ public:
     void begin() { m_isOn = true; } ///< before that it runs up
     /// Errors: Refused.
     Result<void> check() const;
+    bool isNearStandstill() const;
 
 private:
     TurnLimits m_limits;
@@ -48,6 +49,7 @@ public:
 
     const ProcedureObserver& observer() const { return m_observer; }
     void beginWatch() { m_watch.begin(); }
+    bool isNearStandstill() const { return m_watch.isNearStandstill(); }
     std::size_t rows() const { return m_recorder.rows(); }
 
 private:

@@ -17,11 +17,11 @@ namespace {
 using enum MoveReference::Shape;
 using Quantity = MoveReference::Quantity;
 
-constexpr std::array<std::string_view, 11> ShapeNames = {"step",   "ramp",      "sine",      "staircase",
-                                                         "chirp",  "multisine", "trapezoid", "s-curve",
-                                                         "circle", "raster",    "rest"};
+constexpr std::array<std::string_view, 13> ShapeNames = {
+    "step",    "ramp",   "sine",   "staircase", "chirp", "multisine", "trapezoid",
+    "s-curve", "circle", "raster", "arc",       "line",  "rest"};
 constexpr std::array<MoveReference::Shape, ShapeNames.size()> Shapes = {
-    Step, Ramp, Sine, Staircase, Chirp, Multisine, Trapezoid, SCurve, Circle, Raster, Rest};
+    Step, Ramp, Sine, Staircase, Chirp, Multisine, Trapezoid, SCurve, Circle, Raster, Arc, Line, Rest};
 
 Result<void> need(bool isThere, MoveReference::Shape shape, const char* key) {
     if (isThere) {
@@ -126,6 +126,8 @@ Result<void> checkMoveReference(const MoveReference& reference) {
     case Shape::SCurve:
     case Shape::Circle:
     case Shape::Raster:
+    case Shape::Arc:
+    case Shape::Line:
         return checkTravel(reference);
     case Shape::Rest:
         break;
@@ -189,6 +191,8 @@ std::optional<double> referenceAt(const MoveReference& reference, double time_s)
     case Shape::Multisine:
     case Shape::Circle:
     case Shape::Raster:
+    case Shape::Arc:
+    case Shape::Line:
         break;
     }
     return std::nullopt;
@@ -249,6 +253,8 @@ std::optional<control::LoopReference> idealReference(const MoveReference& refere
     case Shape::SCurve:
     case Shape::Circle:
     case Shape::Raster:
+    case Shape::Arc:
+    case Shape::Line:
     case Shape::Rest:
         return std::nullopt;
     }

@@ -18,8 +18,9 @@ namespace halbench::app {
 /// (resources/help/htm-theory.md section 8, resources/help/command-line.md). Positions are in the axis's
 /// unit, rad or m.
 struct MoveReference {
-    /// Codes of reference.shape up to SCurve. Trapezoid and SCurve are travels from rest to rest; Circle and
-    /// Raster are paths of two axes; at Rest the axis stays where it is, so that its noise can be measured.
+    /// Codes of reference.shape up to SCurve. Trapezoid and SCurve are travels from rest to rest; Circle,
+    /// Raster, Arc and Line are paths of two axes; at Rest the axis stays where it is, so that its noise can
+    /// be measured.
     enum class Shape {
         Step = 1,
         Ramp,
@@ -31,12 +32,15 @@ struct MoveReference {
         SCurve,
         Circle,
         Raster,
+        Arc,
+        Line,
         Rest
     };
     enum class Quantity { Unknown, Angle, Length };
     Shape shape = Shape::Step;
-    double amplitude = 0.0; ///< of a travel its distance, of a circle the radius, of a raster its width
-    double rate = 0.0;      ///< per second; of travels and paths the largest
+    double amplitude =
+        0.0; ///< distance of a travel, radius of circle and arc, width of a raster, length of a line
+    double rate = 0.0; ///< per second; of travels and paths the largest
     double frequency_Hz = 0.0;
     double frequencyEnd_Hz = 0.0;
     double period_s = 1.0; ///< staircase: time of one step
@@ -46,11 +50,13 @@ struct MoveReference {
     double acceleration = 0.0;             ///< of travels and paths, the largest
     std::optional<double> jerk = {};       ///< of the S-curve; of a path, whose acceleration else jumps
     double pitch = 0.0;                    ///< raster: from line to line
+    double angle_rad = 0.0;                ///< of an arc, counter-clockwise
+    double heading_rad = 0.0;              ///< direction in which arc and line begin, from the first axis
     Quantity quantity = Quantity::Unknown; ///< that the keys were written in
 };
 
 /// "step", "ramp", "sine", "staircase", "chirp", "multisine", "trapezoid", "s-curve", "circle", "raster",
-/// "rest"
+/// "arc", "line", "rest"
 std::span<const std::string_view> moveShapeNames();
 std::string_view moveShapeName(MoveReference::Shape shape);
 

@@ -20,6 +20,7 @@ constexpr double LargestFrequency_Hz = 200.0;
 // Of travels and paths.
 constexpr double LargestAcceleration = 1000.0;
 constexpr double LargestJerk = 1e6;
+constexpr double LargestPathAngle_rad = 1000.0;
 
 using Quantity = MoveReference::Quantity;
 
@@ -47,6 +48,14 @@ void setAcceleration(MoveReference& reference, double acceleration) {
 
 void setJerk(MoveReference& reference, double jerk) {
     reference.jerk = jerk;
+}
+
+void setAngle(MoveReference& reference, double angle_rad) {
+    reference.angle_rad = angle_rad;
+}
+
+void setHeading(MoveReference& reference, double heading_rad) {
+    reference.heading_rad = heading_rad;
 }
 
 void setPitch(MoveReference& reference, double pitch) {
@@ -92,6 +101,13 @@ constexpr Key jerkKey(std::string_view key, std::string_view help, Quantity quan
 
 constexpr Key pitchKey(std::string_view key, std::string_view help, double perUnit) {
     return {{key, help}, -1.0 / perUnit, 1.0 / perUnit, false, setPitch, perUnit, Quantity::Length};
+}
+
+/// Angles of a path in the plane, beside lengths.
+constexpr Key directionKey(std::string_view key, std::string_view help, double perUnit,
+                           void (*set)(MoveReference&, double)) {
+    return {{key, help}, -LargestPathAngle_rad / perUnit, LargestPathAngle_rad / perUnit, false, set,
+            perUnit};
 }
 
 const std::array Keys = {
@@ -143,8 +159,8 @@ const std::array Keys = {
     jerkKey("jerk_mm_s3", "the same in millimetres", Quantity::Length, 1e-3),
     jerkKey("jerk_rad_s3", "the same of an axis that turns", Quantity::Angle, 1.0),
     jerkKey("jerk_mrad_s3", "the same in milliradians", Quantity::Angle, 1e-3),
-    amplitudeKey("radius_m", "of a circle, whose centre lies so far along the first axis", Quantity::Length,
-                 1.0),
+    amplitudeKey("radius_m", "of a circle, whose centre lies so far along the first axis, or of an arc",
+                 Quantity::Length, 1.0),
     amplitudeKey("radius_mm", "the same in millimetres", Quantity::Length, 1e-3),
     amplitudeKey("radius_um", "the same in micrometres", Quantity::Length, 1e-6),
     Key{{"turns", "of a circle"}, 1.0, 1000.0, true, setCount},
@@ -155,6 +171,14 @@ const std::array Keys = {
     pitchKey("pitch_mm", "the same in millimetres", 1e-3),
     pitchKey("pitch_um", "the same in micrometres", 1e-6),
     Key{{"lines", "of a raster"}, 1.0, 1000.0, true, setCount},
+    directionKey("angle_deg", "of an arc, counter-clockwise", Degree_rad, setAngle),
+    directionKey("angle_rad", "the same in radians", 1.0, setAngle),
+    directionKey("heading_deg", "direction in which arc and line begin, from the first axis to the second",
+                 Degree_rad, setHeading),
+    directionKey("heading_rad", "the same in radians", 1.0, setHeading),
+    amplitudeKey("length_m", "of a line", Quantity::Length, 1.0),
+    amplitudeKey("length_mm", "the same in millimetres", Quantity::Length, 1e-3),
+    amplitudeKey("length_um", "the same in micrometres", Quantity::Length, 1e-6),
     Key{{"seed", "phases of a multisine; 0: those of least peak"},
         0.0,
         4294967295.0,

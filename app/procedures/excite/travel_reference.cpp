@@ -17,8 +17,6 @@ constexpr double LoopPeriod_s = 1e-3;
 constexpr double Rest_s = 1.0;
 constexpr double NoiseWindow_s = 0.5;
 constexpr const char* PathShape = "path.shape";
-constexpr double CirclePath = 1.0; // codes of that parameter
-constexpr double RasterPath = 2.0;
 
 control::TravelLimits limitsOf(const MoveReference& reference) {
     const bool isTrapezoid = reference.shape == Shape::Trapezoid;
@@ -36,6 +34,62 @@ std::string keyOf(const MoveReference& reference, const char* name, const char* 
     return fmt::format("{}_{}{}", name, isAngle ? "rad" : "m", per);
 }
 
+/// The key that says how large the movement is.
+const char* sizeKey(Shape shape) {
+    switch (shape) {
+    case Shape::Circle:
+    case Shape::Arc:
+        return "radius";
+    case Shape::Raster:
+        return "width";
+    case Shape::Line:
+        return "length";
+    default:
+        return "amplitude";
+    }
+}
+
+/// Codes of the board's path.shape.
+double pathCode(Shape shape) {
+    switch (shape) {
+    case Shape::Circle:
+        return 1.0;
+    case Shape::Raster:
+        return 2.0;
+    case Shape::Arc:
+        return 3.0;
+    default:
+        return 4.0; // Line
+    }
+}
+
+control::PlanePathConfig::Shape pathShape(Shape shape) {
+    switch (shape) {
+    case Shape::Circle:
+        return control::PlanePathConfig::Shape::Circle;
+    case Shape::Raster:
+        return control::PlanePathConfig::Shape::Raster;
+    case Shape::Arc:
+        return control::PlanePathConfig::Shape::Arc;
+    default:
+        return control::PlanePathConfig::Shape::Line;
+    }
+}
+
+/// A figure that only this shape needs.
+Result<void> checkOwnFigures(const MoveReference& reference) {
+    if (reference.shape == Shape::SCurve && !reference.jerk) {
+        return missing(reference, keyOf(reference, "jerk", "_s3"));
+    }
+    if (reference.shape == Shape::Raster && reference.count > 1 && reference.pitch == 0.0) {
+        return missing(reference, keyOf(reference, "pitch", ""));
+    }
+    if (reference.shape == Shape::Arc && reference.angle_rad == 0.0) {
+        return missing(reference, "angle_deg");
+    }
+    return {};
+}
+
 } // namespace
 
 bool isTravel(const MoveReference& reference) {
@@ -43,16 +97,13 @@ bool isTravel(const MoveReference& reference) {
 }
 
 bool isPath(const MoveReference& reference) {
-    return reference.shape == Shape::Circle || reference.shape == Shape::Raster;
+    return reference.shape == Shape::Circle || reference.shape == Shape::Raster ||
+           reference.shape == Shape::Arc || reference.shape == Shape::Line;
 }
 
 Result<void> checkTravel(const MoveReference& reference) {
     if (reference.amplitude == 0.0) {
-        return missing(reference, keyOf(reference,
-                                        reference.shape == Shape::Circle   ? "radius"
-                                        : reference.shape == Shape::Raster ? "width"
-                                                                           : "amplitude",
-                                        ""));
+        return missing(reference, keyOf(reference, sizeKey(reference.shape), ""));
     }
     if (!(reference.rate > 0.0)) {
         return missing(reference, keyOf(reference, "rate", "_s"));
@@ -60,11 +111,8 @@ Result<void> checkTravel(const MoveReference& reference) {
     if (!(reference.acceleration > 0.0)) {
         return missing(reference, keyOf(reference, "acceleration", "_s2"));
     }
-    if (reference.shape == Shape::SCurve && !reference.jerk) {
-        return missing(reference, keyOf(reference, "jerk", "_s3"));
-    }
-    if (reference.shape == Shape::Raster && reference.count > 1 && reference.pitch == 0.0) {
-        return missing(reference, keyOf(reference, "pitch", ""));
+    if (auto own = checkOwnFigures(reference); !own) {
+        return own;
     }
     if (reference.base != 0.0) {
         return failure(ErrorCode::InvalidInput,
@@ -85,14 +133,15 @@ Result<control::TravelProfile> travelProfile(const MoveReference& reference) {
 
 Result<control::PlanePath> planePath(const MoveReference& reference) {
     control::PlanePathConfig config;
-    const bool isCircle = reference.shape == Shape::Circle;
-    config.shape =
-        isCircle ? control::PlanePathConfig::Shape::Circle : control::PlanePathConfig::Shape::Raster;
+    config.shape = pathShape(reference.shape);
     config.radius = reference.amplitude;
     config.turns = reference.count;
     config.width = reference.amplitude;
     config.pitch = reference.pitch;
     config.lines = reference.count;
+    config.angle_rad = reference.angle_rad;
+    config.heading_rad = reference.heading_rad;
+    config.length = reference.amplitude;
     config.limits = limitsOf(reference);
     return control::PlanePath::make(config, LoopPeriod_s);
 }
@@ -129,19 +178,28 @@ double pathReach(const MoveReference& reference) {
 }
 
 std::vector<ParameterValue> pathParameters(const MoveReference& reference) {
-    const bool isCircle = reference.shape == Shape::Circle;
+    std::vector<ParameterValue> values = {
+        {PathShape, pathCode(reference.shape)},
+        {"path.profile", reference.jerk ? 1.0 : 0.0},
+        {std::string("path.") + sizeKey(reference.shape), reference.amplitude},
+        {"path.speed", reference.rate},
+        {"path.acceleration", reference.acceleration}};
     const double count = reference.count;
-    std::vector<ParameterValue> values = {{PathShape, isCircle ? CirclePath : RasterPath},
-                                          {"path.profile", reference.jerk ? 1.0 : 0.0},
-                                          {isCircle ? "path.radius" : "path.width", reference.amplitude},
-                                          {isCircle ? "path.turns" : "path.lines", count},
-                                          {"path.speed", reference.rate},
-                                          {"path.acceleration", reference.acceleration}};
     if (reference.jerk) {
         values.push_back({"path.jerk", *reference.jerk});
     }
-    if (!isCircle && reference.count > 1) {
-        values.push_back({"path.pitch", reference.pitch});
+    if (reference.shape == Shape::Circle) {
+        values.push_back({"path.turns", count});
+    } else if (reference.shape == Shape::Raster) {
+        values.push_back({"path.lines", count});
+        if (reference.count > 1) {
+            values.push_back({"path.pitch", reference.pitch});
+        }
+    } else {
+        values.push_back({"path.heading", reference.heading_rad});
+    }
+    if (reference.shape == Shape::Arc) {
+        values.push_back({"path.angle", reference.angle_rad});
     }
     return values;
 }

@@ -12,7 +12,7 @@ namespace halbench::app {
 
 /// Trapezoid or S-curve: one axis, from rest to rest within limits (resources/help/planar-theory.md 9.1).
 bool isTravel(const MoveReference& reference);
-/// Circle or raster: two axes.
+/// Circle, raster, arc or line: two axes.
 bool isPath(const MoveReference& reference);
 
 /// A figure that is missing or not positive. Errors: InvalidInput, OutOfRange.

@@ -46,6 +46,8 @@ public:
         return {};
     }
 
+    bool cameNearStandstill() const { return m_turn.isNearStandstill(); }
+
 private:
     Result<void> armAndExcite() {
         if (auto armed = m_device.arm(); !armed) {
@@ -126,8 +128,12 @@ Result<void> prepareBoard(devices::Device& device, const FrequencyConfig& config
     return device.writeParameters(values);
 }
 
-Result<FrequencyResult> measure(devices::Device& device, FrequencyRun run, const FrequencyPlan& plan,
-                                const ProcedureObserver& observer) {
+enum class Attempt { Measured, NearStandstill };
+
+/// All stages of the plan. A rotor that answers more than foreseen comes near standstill: the motor is then
+/// disarmed, and less may be tried where `mayTryLess`.
+Result<Attempt> drive(devices::Device& device, FrequencyRun& run, const FrequencyPlan& plan,
+                      const ProcedureObserver& observer, bool mayTryLess) {
     if (auto prepared = prepareBoard(device, run.config); !prepared) {
         return failure(prepared.error());
     }
@@ -140,10 +146,44 @@ Result<FrequencyResult> measure(devices::Device& device, FrequencyRun run, const
         return failure(entered.error());
     }
     const devices::LinkStatistics before = device.statistics();
-    if (auto driven = FrequencyExcitation(device, observer, plan, run).drive(); !driven) {
-        return failure(driven.error());
+    run.stages.clear();
+    FrequencyExcitation excitation(device, observer, plan, run);
+    if (auto driven = excitation.drive(); !driven) {
+        const bool isSlow = mayTryLess && excitation.cameNearStandstill();
+        const Result<void> disarmed = isSlow ? device.disarm() : driven;
+        return disarmed ? Result<Attempt>(Attempt::NearStandstill) : failure(disarmed.error());
     }
     run.rowLoss = causeOfRowLoss(before, device.statistics());
+    return Attempt::Measured;
+}
+
+/// The plan foresees the published motor; a livelier one is measured with less. An amplitude that is asked
+/// for stays, and a loop that swings by itself is not helped by any. Errors: of the last attempt.
+Result<FrequencyPlan> driveWithin(devices::Device& device, FrequencyRun& run, FrequencyPlan plan,
+                                  const ProcedureObserver& observer) {
+    constexpr int MostHalvings = 3;
+    for (int halvings = run.config.amplitude_rad ? MostHalvings : 0;; ++halvings) {
+        const Result<Attempt> attempt = drive(device, run, plan, observer, halvings < MostHalvings);
+        if (!attempt) {
+            return failure(attempt.error());
+        }
+        if (*attempt == Attempt::Measured) {
+            return plan;
+        }
+        for (FrequencyStage& stage : plan.stages) {
+            stage.reference.amplitude *= 0.5;
+        }
+    }
+}
+
+Result<FrequencyResult> measure(devices::Device& device, FrequencyRun run, const FrequencyPlan& plan,
+                                const ProcedureObserver& observer) {
+    const auto driven = driveWithin(device, run, plan, observer);
+    if (!driven) {
+        return failure(driven.error());
+    }
+    const double reduced_ratio =
+        driven->stages.front().reference.amplitude / plan.stages.front().reference.amplitude;
     if (auto entered = enterState(observer, ProcedureState::Fit); !entered) {
         return failure(entered.error());
     }
@@ -155,6 +195,13 @@ Result<FrequencyResult> measure(devices::Device& device, FrequencyRun run, const
         return failure(entered.error());
     }
     result->quality = judgeFrequency(*result);
+    if (reduced_ratio < 1.0) {
+        result->quality.findings.push_back(
+            {"amplitude_reduced",
+             fmt::format("the rotor came near standstill: measured with {:.3g} of the planned amplitude",
+                         reduced_ratio),
+             "choose a higher base speed for a larger amplitude"});
+    }
     return result;
 }
 

@@ -18,7 +18,7 @@ bool hasMotorOptions(const IdentifyConfig& config) {
     return config.added || config.directions != plain.directions ||
            config.sweep.from_A != plain.sweep.from_A || config.sweep.to_A != plain.sweep.to_A ||
            config.sweep.step_A != plain.sweep.step_A || config.speedLimit_rad_s != plain.speedLimit_rad_s ||
-           config.usableSpeed_rad_s != plain.usableSpeed_rad_s;
+           config.usableSpeed_rad_s != plain.usableSpeed_rad_s || config.currentTolerance_percent;
 }
 
 } // namespace
@@ -29,7 +29,8 @@ Result<void> checkAxesOptions(const devices::Catalogue& catalogue, const Identif
         return failure(axes.error());
     }
     if (hasMotorOptions(config)) {
-        return failure(ErrorCode::Usage, "a sweep of currents, directions or added inertia are for a motor",
+        return failure(ErrorCode::Usage,
+                       "a sweep of currents, directions, current tolerance or added inertia are for a motor",
                        hint);
     }
     return {};

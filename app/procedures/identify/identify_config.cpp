@@ -39,6 +39,20 @@ Result<void> setGivenConstant(control::GivenConstants& given, std::string_view s
                    "use J, c, Kf or phi");
 }
 
+Result<void> setCurrentTolerance(IdentifyConfig& config, double tolerance_percent) {
+    if (!std::isfinite(tolerance_percent)) {
+        return failure(ErrorCode::NotFinite, "the current tolerance is not a finite number",
+                       "give it in per cent, e.g. 3");
+    }
+    if (tolerance_percent < 0.0 || tolerance_percent > LargestCurrentTolerance_percent) {
+        return failure(ErrorCode::OutOfRange,
+                       fmt::format("a current tolerance of {} % is not possible", tolerance_percent),
+                       "give 0 to 50 %");
+    }
+    config.currentTolerance_percent = tolerance_percent;
+    return {};
+}
+
 Result<std::vector<double>> sweepCurrents_A(const CurrentSweep& sweep, double limit_A) {
     if (!std::isfinite(sweep.from_A) || !std::isfinite(sweep.to_A) || !std::isfinite(sweep.step_A)) {
         return failure(ErrorCode::NotFinite, "the currents of the sweep are not finite numbers",

@@ -18,16 +18,23 @@ namespace {
 using control::MotorConstant;
 
 // Current that really flows: gain of the two converters 0.2 % each, their bow of up to two codes 0.06 %
-// (resources/help/htm-theory.md section 9); it cannot show in angle or speed.
+// (resources/help/htm-theory.md section 9); it cannot show in angle or speed. Where the user states a
+// tolerance, it stands in for this one.
 constexpr double CurrentError_ratio = 1.5e-3;
 // Torque constant per kelvin of the magnets; they are at ambient, which the coils show before they warm up.
 constexpr double MagnetTemperature_per_K = 1.2e-3;
 constexpr double ThermometerError_K = 1.0;
 constexpr double Improbable = 0.01;
 
-double torqueError_ratio(const IdentifyFits& fits) {
+control::TorqueScaleError torqueErrorOf(const IdentifyFits& fits, const IdentifyConfig& config) {
     const double away_K = std::fabs(fits.startTemperature_degC - 25.0);
-    return std::hypot(CurrentError_ratio, MagnetTemperature_per_K * std::max(away_K, ThermometerError_K));
+    const double magnets_ratio = MagnetTemperature_per_K * std::max(away_K, ThermometerError_K);
+    if (!config.currentTolerance_percent) {
+        return {std::hypot(CurrentError_ratio, magnets_ratio), 0.0};
+    }
+    // The torque per commanded ampere is phi (1 + e) with |e| <= t: phi lies within t/(1 - t) of it.
+    const double tolerance_ratio = *config.currentTolerance_percent / 100.0;
+    return {magnets_ratio, tolerance_ratio / (1.0 - tolerance_ratio)};
 }
 
 void remark(DataQuality& quality, Verdict verdict, std::string code, std::string message, std::string hint) {
@@ -35,12 +42,12 @@ void remark(DataQuality& quality, Verdict verdict, std::string code, std::string
     quality.findings.push_back({std::move(code), std::move(message), std::move(hint)});
 }
 
-std::optional<control::MotorRatios> ratiosOf(const IdentifyFits& fits) {
+std::optional<control::MotorRatios> ratiosOf(const IdentifyFits& fits, const IdentifyConfig& config) {
     if (fits.motion) {
-        return control::motorRatios(*fits.motion, fits.balance, torqueError_ratio(fits));
+        return control::motorRatios(*fits.motion, fits.balance, torqueErrorOf(fits, config));
     }
     if (fits.sweep) {
-        return control::motorRatios(*fits.sweep, torqueError_ratio(fits));
+        return control::motorRatios(*fits.sweep, torqueErrorOf(fits, config));
     }
     return std::nullopt;
 }
@@ -198,16 +205,23 @@ void judgeTorqueLoss(IdentifyResult& result, const IdentifyFits& fits) {
 
 // Twice the torque per ampere and half the current turn the rotor alike: the scale of the current is assumed
 // wherever one constant alone gives the scale of torque (resources/help/identification.md section 5.1).
-void remarkAssumedCurrent(IdentifyResult& result) {
+void remarkAssumedCurrent(IdentifyResult& result, const IdentifyConfig& config) {
     const auto torque = result.ratios.find("phi_over_J");
-    if (torque != result.ratios.end() && torque->second.value) {
-        remark(
-            result.quality, Verdict::Good, "current_not_measured",
-            "the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J where "
-            "phi is given, by as much and shows in no recording",
-            "compare the current that flows with the commanded one, or give both J and phi: the program then "
-            "finds a contradiction");
+    if (torque == result.ratios.end() || !torque->second.value) {
+        return;
     }
+    std::string message =
+        "the current is taken as commanded within 0.3 %: a gain error of the drive moves phi, or J, c and "
+        "K_f where phi is given, by as much and shows in no recording";
+    if (config.currentTolerance_percent) {
+        message = fmt::format("the current is taken as commanded within {:.3g} %, as stated: the intervals "
+                              "include a gain error of the drive up to that; a larger one shows in no "
+                              "recording",
+                              *config.currentTolerance_percent);
+    }
+    remark(result.quality, Verdict::Good, "current_not_measured", std::move(message),
+           "state how well the current is known (--current-tolerance-percent), compare the current that "
+           "flows with the commanded one, or give both J and phi: the program then finds a contradiction");
 }
 
 void judgeGiven(IdentifyResult& result, const control::JointEstimate& joint, const IdentifyConfig& config) {
@@ -219,7 +233,7 @@ void judgeGiven(IdentifyResult& result, const control::JointEstimate& joint, con
                "contradicts "
                "so; then give only the best-known constant");
     } else if (!joint.consistency) {
-        remarkAssumedCurrent(result);
+        remarkAssumedCurrent(result, config);
     }
     if (config.given.isEmpty() && !config.added) {
         remark(result.quality, Verdict::Good, "scale_not_given",
@@ -370,7 +384,7 @@ IdentifyResult judgeFits(const IdentifyFits& fits, const IdentifyConfig& config)
     result.points = fits.points;
     result.highestTemperature_degC = fits.highestTemperature_degC;
     addNotes(result, fits);
-    auto ratios = ratiosOf(fits);
+    auto ratios = ratiosOf(fits, config);
     if (ratios) {
         addLossAmbiguity(*ratios, fits);
         addDepartureError(*ratios, fits);

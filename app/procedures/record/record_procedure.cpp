@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace halbench::app {
 namespace {
@@ -63,6 +64,7 @@ public:
     void setEnd(double end_s) { m_end_s = end_s; }
 
     Result<void> take(const SampleBlock& block) {
+        m_seen_s = block.time_s.empty() ? m_seen_s : block.time_s.back();
         SampleBlock wanted = block;
         while (!wanted.time_s.empty() && wanted.time_s.back() > m_end_s) {
             wanted.time_s.pop_back();
@@ -83,6 +85,11 @@ public:
     }
 
     bool isBroken() const { return m_isBroken; }
+    /// The last row before the end came, or one behind it.
+    bool hasEnd(double end_s) const {
+        constexpr double Rounding_ratio = 1e-6; // of the period
+        return m_seen_s && *m_seen_s + (1.0 + Rounding_ratio) / m_rate_Hz >= end_s;
+    }
     RecordResult result() {
         return {std::move(m_recording),
                 m_rows,
@@ -97,6 +104,7 @@ private:
     const RecordOutlet* m_outlet;
     double m_rate_Hz;
     double m_end_s;
+    std::optional<double> m_seen_s; ///< time of the last row that came
     Recording m_recording;
     std::size_t m_rows = 0;
     std::uint64_t m_lostRows = 0;
@@ -134,9 +142,11 @@ Result<DataQuality> judgeRows(std::size_t found, std::size_t expected, const Row
     return quality;
 }
 
-// Waits for the rows, with some patience for those on their way. A recording that cannot be kept ends early.
+// Waits for the rows, then for those on their way: a device that stood still is behind the host's clock, and
+// what it still sends is not lost. A recording that cannot be kept ends early.
 Result<void> collect(devices::Device& device, const ProcedureObserver& observer,
-                     const StreamRecorder& recorder, std::size_t rows, double duration_s) {
+                     const StreamRecorder& recorder, const std::function<bool()>& isComplete,
+                     double duration_s) {
     ProcedureObserver watching = observer;
     watching.checkAbort = [&]() -> Result<void> {
         const Result<void> goOn = observer.checkAbort ? observer.checkAbort() : Result<void>();
@@ -145,12 +155,18 @@ Result<void> collect(devices::Device& device, const ProcedureObserver& observer,
     if (auto waited = waitObserved(device, watching, duration_s, 0.0, 1.0, "records"); !waited) {
         return waited;
     }
-    constexpr double Patience_s = 0.2;
+    constexpr double Patience_s = 0.2; // while no row comes
     constexpr double Piece_s = 0.01;
-    for (double late_s = 0.0; recorder.rows() < rows && late_s < Patience_s; late_s += Piece_s) {
-        if (auto waited = device.clock().waitFor(Piece_s); !waited) {
+    const double behind_s = duration_s + Patience_s; // a device at half the pace
+    std::size_t rows = recorder.rows();
+    double silent_s = 0.0;
+    for (double late_s = 0.0; !isComplete() && silent_s < Patience_s && late_s < behind_s;
+         late_s += Piece_s) {
+        if (auto waited = waitObserved(device, watching, Piece_s, 1.0, 1.0, "records"); !waited) {
             return waited;
         }
+        silent_s = recorder.rows() > rows ? 0.0 : silent_s + Piece_s;
+        rows = recorder.rows();
     }
     return recorder.check();
 }
@@ -209,8 +225,10 @@ public:
         Result<void> done =
             m_triggered ? awaitEvent(device, observer, recorder, *m_triggered, m_config.trigger->patience_s)
                         : Result<void>();
-        return done ? collect(device, observer, recorder, firstRow() + expectedRows(), m_config.duration_s)
-                    : done;
+        const auto isComplete = [this, &recorder] {
+            return recorder.rows() >= firstRow() + expectedRows() || m_taker.hasEnd(endOfStretch_s());
+        };
+        return done ? collect(device, observer, recorder, isComplete, m_config.duration_s) : done;
     }
     Result<RecordResult> result(const RowLossCause& cause) {
         RecordResult result = m_taker.result();

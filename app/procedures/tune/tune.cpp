@@ -156,7 +156,7 @@ Result<TuneResult> judged(TuneResult result, const MotorEstimate& estimate, cons
     if (!result.predicted
              .stableGains) { // no factor leads to stability: draws near this motor have none either
         result.robust.gainMargin_ratio.reset();
-        result.robust.gainMargin_ratio_p5 = std::numeric_limits<double>::infinity();
+        result.robust.gainMargin_ratio_p5.reset();
     }
     // Here, on the worker that judges: whoever writes or compares results must not compute.
     const double limit_A = config.conditions.currentLimit_A;

@@ -1,6 +1,7 @@
 #include "app/workspaces/device/device_panel.h"
 
 #include "app/workspaces/device/pace_row.h"
+#include "app/workspaces/device/simulation_options_dialog.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "devices/device_uri.h"
 #include "devices/open/open_device.h"
@@ -62,6 +63,10 @@ void DevicePanel::buildChooser(QVBoxLayout* column) {
     m_description->setToolTip(
         tr("A2L file from the manufacturer, for boards without a built-in description"));
     m_description->hide(); // until there is a way to ask for a file
+    m_options = new QPushButton(this);
+    m_options->setIcon(widgets::themedIcon("settings"));
+    m_options->setAccessibleName(tr("Simulation options…"));
+    m_options->setToolTip(tr("Values of the simulated actuator: motion, noise, faults…"));
     m_connect = new QPushButton(this);
     m_connect->setIcon(widgets::themedIcon("connect"));
     m_message = new widgets::MessageBar(this);
@@ -69,6 +74,7 @@ void DevicePanel::buildChooser(QVBoxLayout* column) {
     column->addWidget(m_list);
     auto* target = new QHBoxLayout;
     target->addWidget(m_address, 1);
+    target->addWidget(m_options);
     target->addWidget(m_description);
     column->addLayout(target);
     column->addWidget(m_connect);
@@ -77,6 +83,8 @@ void DevicePanel::buildChooser(QVBoxLayout* column) {
 
     connect(m_list, &QListWidget::currentRowChanged, this, &DevicePanel::chooseRow);
     connect(m_address, &QLineEdit::textEdited, this, [this] { m_hasChosen = true; });
+    connect(m_address, &QLineEdit::textChanged, this, &DevicePanel::offerOptions);
+    connect(m_options, &QPushButton::clicked, this, &DevicePanel::editOptions);
     connect(m_list, &QListWidget::itemActivated, this, [this] { connectAddress(); });
     connect(m_address, &QLineEdit::returnPressed, this, &DevicePanel::connectAddress);
     connect(m_connect, &QPushButton::clicked, this, &DevicePanel::toggleConnection);
@@ -237,6 +245,29 @@ void DevicePanel::chooseDescription() {
     m_connect->setFocus(Qt::OtherFocusReason);
 }
 
+void DevicePanel::offerOptions() {
+    const bool isFree = m_bench.session().state() == SessionState::Disconnected;
+    const bool isSimulated = devices::SimulationOptions::of(address().toStdString()).has_value();
+    m_options->setVisible(isSimulated);
+    m_options->setEnabled(isFree && isSimulated);
+}
+
+/// Into the address, as the description.
+void DevicePanel::editOptions() {
+    const auto options = devices::SimulationOptions::of(address().toStdString());
+    if (!options) {
+        return;
+    }
+    auto* dialog = new SimulationOptionsDialog(*options, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        m_message->clear();
+        setAddress(dialog->address());
+        m_connect->setFocus(Qt::OtherFocusReason);
+    });
+    dialog->open();
+}
+
 void DevicePanel::setAddress(const QString& uri) {
     m_hasChosen = true;
     m_address->setText(uri);
@@ -298,6 +329,7 @@ void DevicePanel::refresh() {
     m_list->setEnabled(isFree);
     m_address->setEnabled(isFree);
     m_description->setEnabled(isFree);
+    offerOptions();
     m_connect->setEnabled(session.state() != SessionState::Leaving);
     const ConnectWords words = connectWords();
     m_connect->setText(words.text);

@@ -68,6 +68,8 @@ private:
     void remember();
     void chooseRow(int row);
     void chooseDescription();
+    void editOptions();
+    void offerOptions();
     void refresh();
     ConnectWords connectWords() const;
     QString identityText() const;
@@ -77,6 +79,7 @@ private:
     QListWidget* m_list = nullptr;
     QLineEdit* m_address = nullptr;
     QPushButton* m_description = nullptr;
+    QPushButton* m_options = nullptr; ///< of a simulated device
     FileChooser m_chooser;
     QPushButton* m_connect = nullptr;
     QLabel* m_identity = nullptr;

@@ -157,8 +157,7 @@ void GainDecision::keep() {
     tell(MessageLevel::Info,
          {widgets::Severity::Information,
           isSimulated ? tr("New gains active until disconnect.") : tr("New gains active until power-off."),
-          remedy,
-          {}});
+          remedy, isSimulated ? tr("Drive the motor") : tr("Open Parameters")});
     Q_EMIT changed();
     Q_EMIT settled();
     Q_EMIT kept();

@@ -107,6 +107,13 @@ void GainSettings::refreshModel() {
     m_form->setModel(m_session.model());
 }
 
+void GainSettings::refreshDevice() {
+    const DeviceSession& session = m_bench.session();
+    m_filters->setOffered(session.state() == SessionState::Connected
+                              ? std::optional(boardLawSpec(session.catalogue()))
+                              : std::nullopt);
+}
+
 void GainSettings::refreshUnits() {
     m_gains->setAngleUnit(m_bench.displayUnits().angle);
     m_filters->setFrequencyUnit(m_bench.displayUnits().frequency);

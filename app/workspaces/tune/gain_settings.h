@@ -37,6 +37,8 @@ public:
 
     /// Whose presets are offered.
     void refreshModel();
+    /// What the law of the connected device has of weights and filters.
+    void refreshDevice();
     void refreshUnits();
     /// Shows a law that the source gave; edited gains stay.
     void showLaw(const LoopLaw& law);

@@ -19,6 +19,8 @@ public:
     void clear() { m_bar.clear(); }
     void clearError(); ///< any other message stays
     void showOfDevice(const widgets::Message& message);
+    /// Whether the message that is shown is of a device.
+    bool isOfDevice() const { return m_bar.message().text == m_ofDevice; }
     /// Clears that message, unless another one is shown.
     void clearOfDevice();
     /// It stays when the device is gone.

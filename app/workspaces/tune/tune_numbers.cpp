@@ -275,8 +275,8 @@ std::vector<TuneNumber> tuneNumbers(const TuneResult& proposed, const std::optio
         });
     numbers.push_back(
         {Words::tr("Share of unstable cases"),
-         robust.phaseMargin_deg ? amount(100.0 * robust.unstable_fraction, QStringLiteral(" %"))
-                                : Words::tr("not known"),
+         robust.isUncertain ? amount(100.0 * robust.unstable_fraction, QStringLiteral(" %"))
+                            : Words::tr("not known"),
          {},
          {},
          Words::tr("Share of the motors within the model's uncertainty for which this loop is unstable")});

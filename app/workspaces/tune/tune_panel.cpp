@@ -170,7 +170,7 @@ void TunePanel::connectPages() {
         }
         m_predictions->setPageEnabled(m_verification, false);
     });
-    connect(m_message, &widgets::MessageBar::actionTriggered, m_recording, &WhatIfRecording::chooseGains);
+    connect(m_message, &widgets::MessageBar::actionTriggered, this, &TunePanel::onMessageAction);
     connect(m_recording, &WhatIfRecording::used, this, [this] {
         proposeToWhatIf();
         m_predictions->setCurrent(m_whatIf);
@@ -279,6 +279,7 @@ void TunePanel::onDevice() {
     }
     m_pages->refreshTexts();
     m_pages->showPage();
+    m_gains->refreshDevice();
     m_controls->refreshOutlook(); // of its limits
     readConditions();
     ask(); // its presets may be others
@@ -400,6 +401,17 @@ void TunePanel::proposeToWhatIf() {
 void TunePanel::forgetVerification() {
     m_verification->forget();
     m_messages.clearOfDevice();
+}
+
+/// The one of the message that is shown: of gains that were kept, else of a recording.
+void TunePanel::onMessageAction() {
+    if (!m_messages.isOfDevice()) {
+        m_recording->chooseGains();
+    } else if (m_bench.session().info().isSimulated) {
+        Q_EMIT drivingRequested();
+    } else {
+        Q_EMIT savingRequested();
+    }
 }
 
 /// To decide is next; after that to choose other gains. Apply goes off while its prediction is asked anew.

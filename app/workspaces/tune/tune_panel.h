@@ -78,6 +78,8 @@ public:
 
 Q_SIGNALS:
     void identifyRequested(); ///< there is no motor to tune yet
+    void savingRequested();   ///< in the device, what is kept
+    void drivingRequested();  ///< with what is kept on a simulated device, which saves nothing
     /// A device was left on which gains of this panel were kept, or still to be decided on: where they are
     /// now. The project has them as this design.
     void gainsLeft(const QString& text, const QString& remedy, const QString& design);
@@ -105,6 +107,7 @@ private:
     void drawPredictions();
     void proposeToWhatIf();
     void forgetVerification();
+    void onMessageAction();
     void focusNext();
     void refresh();
     void refreshTexts();

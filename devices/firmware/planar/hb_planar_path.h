@@ -6,6 +6,9 @@
  *
  *   circle   counter-clockwise, `turns` times; begins where the platen is, with the centre a radius away in
  *            the direction of +x (of -x for a negative radius)
+ *   arc      of a radius through `angle`, counter-clockwise where that is positive; begins in the direction
+ *            `heading`, counted from +x towards +y
+ *   line     of `length` in the direction `heading`
  *   raster   `lines` lines of `width` along x, forth and back, `pitch` along y between them; rests at every
  *            corner
  *
@@ -21,11 +24,12 @@ extern "C" {
 #endif
 
 enum { HB_PATH_AXES = 2 };
-enum hb_path_shape { HB_PATH_NONE, HB_PATH_CIRCLE, HB_PATH_RASTER };
+enum hb_path_shape { HB_PATH_NONE, HB_PATH_CIRCLE, HB_PATH_RASTER, HB_PATH_ARC, HB_PATH_LINE };
 
 /* Part of the live parameters; start() copies it. */
 typedef struct {
     float radius, width, pitch;
+    float angle, heading, length;
     float speed, acceleration, jerk;
     uint16_t turns, lines;
     uint8_t shape;
@@ -36,6 +40,7 @@ typedef struct {
     hb_path_config config;
     hb_profile profile;         /* along the present piece */
     float corner[HB_PATH_AXES]; /* where the present piece began */
+    float along[HB_PATH_AXES];  /* direction at the start, of length one */
     uint16_t piece;             /* 0, 1, ... */
     uint8_t running;
 } hb_path;

@@ -18,7 +18,7 @@ static hb_rom_char EstimatorChoices[] = "least squares|tracking filter";
 static hb_rom_char DelayChoices[] = "none|one sample|two samples";
 static hb_rom_char TargetChoices[] = "position|force or torque";
 static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine|-|trapezoid|s-curve";
-static hb_rom_char PathChoices[] = "none|circle|raster";
+static hb_rom_char PathChoices[] = "none|circle|raster|arc|line";
 static hb_rom_char PathProfileChoices[] = "trapezoid|s-curve";
 
 #define SIGNAL(name, unit, member, limit, text)                                                              \
@@ -238,16 +238,21 @@ static const hb_parameter Parameters[] HB_ROM = {
     REFERENCE("x", 0),
     REFERENCE("y", 1),
     REFERENCE("phi", 2),
-    LIVE("path.shape", "", HB_UBYTE, path.shape, 0.0F, 0.0F, HB_PATH_RASTER, PathChoices,
+    LIVE("path.shape", "", HB_UBYTE, path.shape, 0.0F, 0.0F, HB_PATH_LINE, PathChoices,
          "Path that x and y follow from the next start on, once, instead of their references"),
     LIVE("path.profile", "", HB_UBYTE, path.is_s_curve, 0.0F, 0.0F, 1.0F, PathProfileChoices,
          "Speed along the path: with jumps of the acceleration or with a largest jerk"),
     LIVE("path.radius", "m", HB_FLOAT32, path.radius, 1.0e-3F, -1.0F, 1.0F, NULL,
-         "Of the circle; its centre lies so far in the direction of x"),
+         "Of the circle, whose centre lies so far in the direction of x, or of the arc"),
     LIVE("path.turns", "", HB_UWORD, path.turns, 1.0F, 1.0F, 1000.0F, NULL, "Of the circle"),
     LIVE("path.width", "m", HB_FLOAT32, path.width, 1.0e-3F, -1.0F, 1.0F, NULL, "Length of a line, along x"),
     LIVE("path.pitch", "m", HB_FLOAT32, path.pitch, 1.0e-4F, -1.0F, 1.0F, NULL, "From line to line, along y"),
     LIVE("path.lines", "", HB_UWORD, path.lines, 10.0F, 1.0F, 1000.0F, NULL, "Of the raster"),
+    LIVE("path.angle", "rad", HB_FLOAT32, path.angle, 1.57079633F, -1000.0F, 1000.0F, NULL,
+         "Of the arc, counter-clockwise"),
+    LIVE("path.heading", "rad", HB_FLOAT32, path.heading, 0.0F, -1000.0F, 1000.0F, NULL,
+         "Direction in which arc and line begin, from x towards y"),
+    LIVE("path.length", "m", HB_FLOAT32, path.length, 1.0e-3F, -1.0F, 1.0F, NULL, "Of the line"),
     LIVE("path.speed", "m/s", HB_FLOAT32, path.speed, 0.01F, 0.0F, 10.0F, NULL, "Largest speed on the path"),
     LIVE("path.acceleration", "m/s^2", HB_FLOAT32, path.acceleration, 1.0F, 0.0F, 1000.0F, NULL,
          "Largest acceleration on the path"),

@@ -180,6 +180,9 @@ SimulatedModel htmModel() {
     model.name = "htm";
     model.title = "Two-phase Halbach-cylinder motor";
     model.overrides = models::htmParameterKeys();
+    model.keys = overrideSpecs(models::htmParameterSpecs(), [](std::string_view key) {
+        return models::htmParameter(models::HtmParameters{}, key);
+    });
     model.check = [](const Overrides& overrides) -> Result<void> {
         const Result<models::HtmParameters> parameters = htmParameters(overrides);
         return parameters ? Result<void>() : failure(parameters.error());

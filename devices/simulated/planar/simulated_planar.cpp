@@ -166,6 +166,9 @@ SimulatedModel planarModel() {
     model.name = "planar";
     model.title = "Planar six-coil positioner";
     model.overrides = models::planarParameterKeys();
+    model.keys = overrideSpecs(models::planarParameterSpecs(), [](std::string_view key) {
+        return models::planarParameter(models::PlanarParameters{}, key);
+    });
     model.check = [](const Overrides& overrides) -> Result<void> {
         const Result<models::PlanarParameters> parameters = planarParameters(overrides);
         return parameters ? models::checkPlanarParameters(*parameters) : failure(parameters.error());

@@ -189,6 +189,14 @@ SimulatedModel sphericalModel() {
     model.name = "spherical";
     model.title = "Spherical motor, orientation sensing";
     model.overrides = knownKeys();
+    model.keys = overrideSpecs(models::sphericalParameterSpecs(), [](std::string_view key) {
+        return models::sphericalParameter(models::SphericalParameters{}, key);
+    });
+    OverrideSpec poses;
+    poses.key = PosesKey;
+    poses.meaning = "motion: CSV file of poses";
+    poses.isText = true;
+    model.keys.push_back(poses);
     model.check = [](const Overrides& overrides) -> Result<void> {
         const Result<Setup> setup = setupOf(overrides);
         return setup ? Result<void>() : failure(setup.error());

@@ -68,20 +68,19 @@ TEST(JudgementText, saysThatNoIntervalIsKnown) {
     EXPECT_TRUE(contains(intervalLines(control::Robustness()), "no interval is known"));
 }
 
-// A loop that is stable only above its gains counts with margins of 1 and 0, which are no figures of it.
 TEST(JudgementText, showsNoMarginsOfMotorsThatAreAllUnstable) {
-    control::Robustness robust;
-    robust.draws = 1000;
-    robust.unstable_fraction = 1.0;
-    robust.gainMargin_ratio = control::Robustness::Interval{1.0, 1.0};
-    robust.phaseMargin_deg = control::Robustness::Interval{-58.7, -57.9};
-    robust.modulusMargin = control::Robustness::Interval{0.0, 0.0};
+    control::Robustness robust{1000, 1.0, true};
     EXPECT_EQ(intervalLines(robust), "unstable with all 1000 motors that the data allow\n");
-    robust.gainMargin_ratio = control::Robustness::Interval{0.0599, 0.0631}; // stable below
-    EXPECT_EQ(intervalLines(robust), "unstable with all 1000 motors that the data allow\n"
-                                     "gain margin                0.0599 to 0.0631\n");
-    robust.unstable_fraction = 0.5;
-    EXPECT_TRUE(contains(intervalLines(robust), "modulus margin             0 to 0\n"));
+}
+
+TEST(JudgementText, saysHowManyMotorsAreLeftOutOfTheMarginsAsUnstable) {
+    control::Robustness robust{1000, 0.0, true};
+    robust.modulusMargin = control::Robustness::Interval{0.1, 0.3};
+    EXPECT_TRUE(contains(intervalLines(robust), "of 1000 motors that the data allow\n"));
+    robust.unstable_fraction = 0.125;
+    const std::string text = intervalLines(robust);
+    EXPECT_TRUE(contains(text, "that the data allow, without the 12.5 % that are unstable\n")) << text;
+    EXPECT_TRUE(contains(text, "modulus margin             0.1 to 0.3\n")) << text;
 }
 
 } // namespace

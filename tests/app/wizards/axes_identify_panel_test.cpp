@@ -30,8 +30,8 @@ TEST_F(AxesIdentifyPanelTest, aDeviceWithSeveralAxesHasItsOwnFormAndTheMotorItsO
     ASSERT_NE(axesOf(panel), nullptr);
     EXPECT_TRUE(axesOf(panel)->isVisible());
     EXPECT_EQ(find<QComboBox>(*axesOf(panel), "Axes of the model")->count(), 4); // all, x, y, phi
-    find<QLineEdit>(*axesOf(panel), "moving mass");
-    find<QLineEdit>(*axesOf(panel), "inertia about the vertical");
+    find<QLineEdit>(*axesOf(panel), "Moving mass");
+    find<QLineEdit>(*axesOf(panel), "Inertia about the vertical");
     session().disconnectDevice();
     ASSERT_TRUE(wait([&] { return session().state() == SessionState::Disconnected; }));
     connectTo("sim:htm", 0.0);
@@ -44,9 +44,9 @@ TEST_F(AxesIdentifyPanelTest, twoGivenConstantsAreRefusedBeforeAnythingMoves) {
     AxesIdentifyPanel& axes = *axesOf(panel);
     auto* start = find<QAbstractButton>(axes, "Start identification");
     ASSERT_TRUE(wait([&] { return start->isEnabled(); }));
-    QTest::keyClicks(find<QLineEdit>(axes, "moving mass"), "0.64");
+    QTest::keyClicks(find<QLineEdit>(axes, "Moving mass"), "0.64");
     EXPECT_TRUE(start->isEnabled());
-    QTest::keyClicks(find<QLineEdit>(axes, "inertia about the vertical"), "0.001");
+    QTest::keyClicks(find<QLineEdit>(axes, "Inertia about the vertical"), "0.001");
     EXPECT_FALSE(start->isEnabled());
 }
 

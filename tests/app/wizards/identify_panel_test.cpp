@@ -1,3 +1,4 @@
+#include "app/wizards/identify_form.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workbench/wall_clock.h"
 #include "app/workspaces/device/pace_row.h"
@@ -19,6 +20,7 @@
 #include <QProcess>
 #include <QSplitter>
 #include <QTemporaryDir>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +123,7 @@ TEST_F(IdentifyPanelTest, saysWhatWillMoveAndNeedsADeviceToMoveIt) {
         text += label->text() + '\n';
     }
     // (phi 4 A - K_f)/c of the published motor: 29.8 rad/s (htm-theory.md section 2)
-    EXPECT_TRUE(text.contains("at up to 30 rad/s (286 r/min)")) << text.toStdString();
+    EXPECT_TRUE(text.contains("at up to 285 r/min")) << text.toStdString();
     EXPECT_TRUE(text.contains("Maximum current 4.0 A"));
     EXPECT_TRUE(text.contains("Coils 25 \u00b0C now"));
     bench.session().disconnectDevice();
@@ -392,6 +394,22 @@ TEST_F(IdentifyPanelTest, aModelThatIsDamagedIsRefusedInPlace) {
     ASSERT_TRUE(wait([&] { return message().contains("damaged.json"); }));
     EXPECT_FALSE(isResultShown());
     EXPECT_FALSE(bench.identification());
+}
+
+// What the field says is the tolerance that a run is made with; one that no drive has starts none.
+TEST_F(IdentifyPanelTest, theCurrentToleranceOfTheFieldIsTheOneOfTheRun) {
+    for (auto* button : panel.findChildren<QToolButton*>()) {
+        if (button->accessibleName() == "Advanced settings") {
+            button->click();
+        }
+    }
+    ASSERT_TRUE(child<widgets::OptionalNumberEdit>("currentTolerance")->isVisible());
+    give("currentTolerance", "60");
+    EXPECT_FALSE(child<IdentifyForm>()->config());
+    give("currentTolerance", "4");
+    const auto config = child<IdentifyForm>()->config();
+    ASSERT_TRUE(config);
+    EXPECT_EQ(config->currentTolerance_percent, 4.0);
 }
 
 } // namespace

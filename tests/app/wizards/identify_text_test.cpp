@@ -17,14 +17,14 @@ TEST(IdentifyWords, theOutlookIsThatOfThePublishedMotor) {
     IdentifyConfig forward = config;
     forward.directions = SweepDirections::Forward;
     EXPECT_NEAR(sweepOutlook(forward, 25.0).turns, 0.5 * outlook.turns, 1e-9);
-    EXPECT_TRUE(outlookText(forward, sweepOutlook(forward, 25.0)).contains("forward"));
+    EXPECT_TRUE(outlookText(forward, sweepOutlook(forward, 25.0), {}).contains("forward"));
 }
 
 // htm-theory.md 7.1: speed against current gives quotients alone; J or phi makes constants of them, c and K_f
 // do not tell the torque of a current.
 TEST(IdentifyWords, theOutlookSaysBeforeTheRunWhatItCannotFind) {
     const auto outlook = [](const IdentifyConfig& config) {
-        return outlookText(config, sweepOutlook(config, 25.0));
+        return outlookText(config, sweepOutlook(config, 25.0), {});
     };
     IdentifyConfig config;
     EXPECT_TRUE(outlook(config).contains("ratios"));
@@ -33,6 +33,17 @@ TEST(IdentifyWords, theOutlookSaysBeforeTheRunWhatItCannotFind) {
         ASSERT_TRUE(setGivenConstant(given.given, symbol, 0.01));
         EXPECT_FALSE(outlook(given).contains("ratios")) << symbol;
     }
+}
+
+// 40 rad/s are 382 r/min: each speed in the unit that the user prefers, and in no other.
+TEST(IdentifyWords, theOutlookHasOneUnitOfSpeed) {
+    const IdentifyConfig config;
+    DisplayUnits units;
+    EXPECT_TRUE(outlookText(config, sweepOutlook(config, 25.0), units).contains("stops at 382 r/min"));
+    EXPECT_FALSE(outlookText(config, sweepOutlook(config, 25.0), units).contains("rad/s"));
+    units.speed = SpeedUnit::RadiansPerSecond;
+    EXPECT_TRUE(outlookText(config, sweepOutlook(config, 25.0), units).contains("stops at 40 rad/s"));
+    EXPECT_FALSE(outlookText(config, sweepOutlook(config, 25.0), units).contains("r/min"));
 }
 
 TEST(IdentifyWords, aGoodResultThatIsRemarkedOnDoesNotSayThatNothingSpeaksAgainstIt) {

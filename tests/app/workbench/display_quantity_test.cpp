@@ -35,6 +35,13 @@ TEST(DisplayQuantity, aPartOfAQuaternionIsARatioAndACodeIsAState) {
     EXPECT_EQ(shown("T", -1.0, 1.0).unit, "mT");
 }
 
+TEST(DisplayQuantity, aSumOfSquaresIsNoState) {
+    SignalSpec spec;
+    spec.name = "chi_square";
+    spec.max = 1e9;
+    EXPECT_EQ(signalQuantity(spec, {}).decimals, 2);
+}
+
 TEST(DisplayQuantity, aRightAngleInBothUnits) {
     EXPECT_DOUBLE_EQ(displayQuantity("rad", {}).factor * Pi / 2.0, 90.0);
     EXPECT_DOUBLE_EQ(displayQuantity("rad", {widgets::AngleUnit::Radian, {}}).factor * Pi / 2.0, Pi / 2.0);

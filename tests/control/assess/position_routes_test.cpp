@@ -26,7 +26,7 @@ double largest(const std::vector<double>& values) {
 }
 
 // 1e-9: the polynomials of the loop multiply roots near z = 1, some three digits a root.
-TEST(PositionRoutes, theOpenLoopIsThatOfTheStates) {
+TEST(PositionRoutesSeeds, theOpenLoopIsThatOfTheStates) {
     Random random(301);
     for (int round = 0; round < 60; ++round) {
         const OwnLoop own = randomStableLoop(random);
@@ -47,7 +47,7 @@ TEST(PositionRoutes, theOpenLoopIsThatOfTheStates) {
     }
 }
 
-TEST(PositionRoutes, stepsOfReferenceAndLoadAreThoseOfTheStates) {
+TEST(PositionRoutesSeeds, stepsOfReferenceAndLoadAreThoseOfTheStates) {
     Random random(302);
     for (int round = 0; round < 40; ++round) {
         const OwnLoop own = randomStableLoop(random);
@@ -107,7 +107,7 @@ TEST(PositionRoutes, theNoiseGainIsTheIntegralOverFrequency) {
     }
 }
 
-TEST(PositionRoutes, theProofIsThatOfTheStates) {
+TEST(PositionRoutesSeeds, theProofIsThatOfTheStates) {
     Random random(304);
     for (int round = 0; round < 40; ++round) {
         const OwnLoop own = randomStableLoop(random);
@@ -171,7 +171,7 @@ TEST(PositionRoutes, theErrorsOfALoadAreTheSumsOfTheStatesAndNearlyTheIntegrals)
 }
 
 // Loops with integral action whose error keeps its sign: sum of T e K_I is the current that holds the load.
-TEST(PositionRoutes, anErrorWithoutASwingSumsUpToTheInverseOfTheIntegralGain) {
+TEST(PositionRoutesSeeds, anErrorWithoutASwingSumsUpToTheInverseOfTheIntegralGain) {
     Random random(306);
     int calm = 0;
     for (int round = 0; round < 200; ++round) {

@@ -16,7 +16,7 @@ struct Motor {
 };
 
 // The motor of c/J 38.1 per second once got 8.7 times the least error; its recommended gains have no K_D.
-TEST(LeastErrorOfMotors, isReachedFromLivelyToDampedOnes) {
+TEST(LeastErrorOfMotorsSeeds, isReachedFromLivelyToDampedOnes) {
     const Motor motors[] = {
         {0.1, 12.0, 0, ErrorMeasure::Iae, 1.7},    {1.0, 3000.0, 2, ErrorMeasure::Itae, 1.4},
         {38.1, 645.0, 0, ErrorMeasure::Iae, 1.7},  {38.1, 645.0, 1, ErrorMeasure::Itae, 2.0},
@@ -37,7 +37,7 @@ TEST(LeastErrorOfMotors, isReachedFromLivelyToDampedOnes) {
 
 // Without damping at all, and with a period that is long beside the motor's own time: the start of the search
 // follows from both.
-TEST(LeastErrorOfMotors, isFoundAtTheEndsOfTheRange) {
+TEST(LeastErrorOfMotorsSeeds, isFoundAtTheEndsOfTheRange) {
     for (const LoopTiming timing : {LoopTiming{0.01, 0}, LoopTiming{0.05, 2}, LoopTiming{0.001, 1}}) {
         for (const double damping : {0.0, 1e-3, 500.0}) {
             for (const double mostMs : {least_error::LeastMs_ratio, least_error::MostMs_ratio}) {

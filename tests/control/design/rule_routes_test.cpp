@@ -165,7 +165,7 @@ TEST(RuleRoutes, riccatisSolutionIsThatOfTheStableSubspace) {
 }
 
 // 1 + N(A |C|) C(z) z^-d G(z) = 0 with the friction as damping in the motor's matrix exponential.
-TEST(RuleRoutes, frictionCyclesBalanceTheLoopOfTheStates) {
+TEST(RuleRoutesSeeds, frictionCyclesBalanceTheLoopOfTheStates) {
     Random random(406);
     int checked = 0;
     for (int round = 0; round < 150; ++round) {
@@ -199,7 +199,7 @@ TEST(RuleRoutes, frictionCyclesBalanceTheLoopOfTheStates) {
 }
 
 // Random motors: the loop of the states, closed over the turned gain, has a pole at the crossover.
-TEST(RuleRoutes, aDesignedCrossoverIsThatOfTheStates) {
+TEST(RuleRoutesSeeds, aDesignedCrossoverIsThatOfTheStates) {
     Random random(407);
     int met = 0;
     for (int round = 0; round < 100; ++round) {

@@ -265,7 +265,7 @@ TEST(FilteredDelta, hasTheMarginsOf50DigitsWhereCoefficientsOfZHaveNone) {
     }
 }
 
-TEST(FilteredDelta, has300RandomLoopsWithTheCrossingsOfAnotherRoute) {
+TEST(FilteredDeltaSeeds, has300RandomLoopsWithTheCrossingsOfAnotherRoute) {
     Random random(7);
     for (int i = 0; i < 300; ++i) {
         const Case drawn = randomCase(random);

@@ -28,8 +28,8 @@ TEST(FilteredRobustness, withNothingFilteredFaresAsTheBoardsLawOverTheDraws) {
     ASSERT_TRUE(board && own);
     EXPECT_EQ(own->draws, board->draws);
     EXPECT_EQ(own->unstable_fraction, board->unstable_fraction);
-    EXPECT_NEAR(own->gainMargin_ratio_p5 / board->gainMargin_ratio_p5, 1.0, 1e-6);
-    EXPECT_NEAR(own->phaseMargin_deg_p5 / board->phaseMargin_deg_p5, 1.0, 1e-6);
+    EXPECT_NEAR(*own->gainMargin_ratio_p5 / *board->gainMargin_ratio_p5, 1.0, 1e-6);
+    EXPECT_NEAR(*own->phaseMargin_deg_p5 / *board->phaseMargin_deg_p5, 1.0, 1e-6);
     ASSERT_TRUE(own->modulusMargin && board->modulusMargin);
     EXPECT_NEAR(own->modulusMargin->p5 / board->modulusMargin->p5, 1.0, 1e-6);
 }

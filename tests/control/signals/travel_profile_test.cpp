@@ -148,6 +148,89 @@ TEST(PlanePath, rasterGoesForthAndBackFromLineToLine) {
     EXPECT_NEAR(path->reach()[1], 2e-4, 1e-15);
 }
 
+PlanePathConfig arc(double radius, double angle_rad, double heading_rad) {
+    PlanePathConfig config;
+    config.shape = PlanePathConfig::Shape::Arc;
+    config.radius = radius;
+    config.angle_rad = angle_rad;
+    config.heading_rad = heading_rad;
+    config.limits = {0.05, 1.0, 100.0};
+    return config;
+}
+
+// Second route: a wheel that rolls by its speed and is steered by speed over radius, by the midpoint rule;
+// its error is h^2/24 of the third derivative, below 1e-6 of the radius at 20 000 steps.
+TEST(PlanePath, arcIsWhatAWheelRollsThatIsSteeredByItsRadius) {
+    Random random(5);
+    for (int i = 0; i < 60; ++i) {
+        const double radius = decades(random, -4.0, -1.5);
+        const double angle = (i % 2 == 0 ? 1.0 : -1.0) * decades(random, -1.0, 1.0);
+        const double heading = 0.5 * i;
+        const auto path = PlanePath::make(arc(radius, angle, heading), 1e-3);
+        ASSERT_TRUE(path) << path.error().message;
+        const double h = path->duration_s() / 20000.0;
+        double direction = heading;
+        double x = 0.0;
+        double y = 0.0;
+        std::array<double, 2> reach = {0.0, 0.0};
+        for (int k = 0; k < 20000; ++k) {
+            const PlanePoint middle = path->at((k + 0.5) * h);
+            const double way = std::hypot(middle[0].speed, middle[1].speed) * h;
+            const double turn = (angle > 0.0 ? 1.0 : -1.0) * way / radius;
+            x += way * std::cos(direction + 0.5 * turn);
+            y += way * std::sin(direction + 0.5 * turn);
+            direction += turn;
+            reach = {std::max(reach[0], std::fabs(x)), std::max(reach[1], std::fabs(y))};
+            if (k % 2000 == 0) {
+                const PlanePoint point = path->at((k + 1.0) * h);
+                ASSERT_NEAR(point[0].value, x, 1e-5 * radius) << i;
+                ASSERT_NEAR(point[1].value, y, 1e-5 * radius) << i;
+                ASSERT_LE(std::hypot(point[0].acceleration, point[1].acceleration), 1.0 + 1e-10);
+            }
+        }
+        EXPECT_NEAR(direction - heading, angle, 1e-5);
+        EXPECT_NEAR(path->reach()[0], reach[0], 1e-5 * radius) << i;
+        EXPECT_NEAR(path->reach()[1], reach[1], 1e-5 * radius) << i;
+    }
+}
+
+// Second route: the nearest of 4000 points of the path, which lie at most 10 rad/4000 of a radius apart.
+TEST(PlanePath, contourErrorOfAnArcIsTheDistanceFromItsNearestPoint) {
+    Random random(7);
+    for (int i = 0; i < 60; ++i) {
+        const double angle = (i % 2 == 0 ? 1.0 : -1.0) * decades(random, -1.0, 1.0);
+        const double radius = 0.01;
+        const auto path = PlanePath::make(arc(radius, angle, 0.7 * i), 1e-3);
+        ASSERT_TRUE(path);
+        const double x = 0.03 * (random.uniform() - 0.5);
+        const double y = 0.03 * (random.uniform() - 0.5);
+        double nearest = 1.0;
+        for (int k = 0; k <= 4000; ++k) {
+            const PlanePoint point = path->at(path->duration_s() * k / 4000.0);
+            nearest = std::min(nearest, std::hypot(point[0].value - x, point[1].value - y));
+        }
+        EXPECT_NEAR(path->distanceFrom(x, y), nearest, 1e-4 * radius) << i;
+    }
+}
+
+TEST(PlanePath, lineGoesInItsDirection) {
+    PlanePathConfig config;
+    config.shape = PlanePathConfig::Shape::Line;
+    config.length = 5e-3;
+    config.heading_rad = std::atan2(-4.0, 3.0);
+    config.limits = {0.01, 1.0, {}};
+    const auto path = PlanePath::make(config, 1e-3);
+    ASSERT_TRUE(path);
+    EXPECT_NEAR(path->duration_s(), 0.51, 1e-9); // 5e-3/0.01 + 0.01/1 s
+    const PlanePoint end = path->at(0.51);
+    EXPECT_NEAR(end[0].value, 3e-3, 1e-12); // 3, 4, 5
+    EXPECT_NEAR(end[1].value, -4e-3, 1e-12);
+    EXPECT_NEAR(path->at(0.25)[1].speed, -0.008, 1e-12);
+    EXPECT_NEAR(path->reach()[1], 4e-3, 1e-15);
+    EXPECT_NEAR(path->distanceFrom(3e-3 + 4e-5, -4e-3 + 3e-5), 5e-5, 1e-12); // across its end
+    EXPECT_NEAR(path->distanceFrom(6e-3, -8e-3), 5e-3, 1e-12);               // as far again beyond it
+}
+
 TEST(PlanePath, contourErrorIsTheDistanceFromTheNearestPointOfThePath) {
     const auto round = PlanePath::make(circle(0.01, {0.05, 1.0, {}}), 1e-3);
     ASSERT_TRUE(round);
@@ -178,6 +261,9 @@ TEST(PlanePath, refusesAPathWithoutASize) {
     raster.lines = 2;
     raster.limits = {1.0, 1.0, {}};
     EXPECT_EQ(PlanePath::make(raster, 1e-3).error().code, ErrorCode::OutOfRange); // no pitch
+    EXPECT_EQ(PlanePath::make(arc(0.01, 0.0, 0.0), 1e-3).error().code, ErrorCode::OutOfRange);
+    EXPECT_EQ(PlanePath::make(arc(0.01, std::nan(""), 0.0), 1e-3).error().code, ErrorCode::NotFinite);
+    EXPECT_EQ(PlanePath::make(arc(0.01, 1.0, std::nan("")), 1e-3).error().code, ErrorCode::NotFinite);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 
 #include <algorithm>
 #include <csignal>
@@ -39,6 +40,26 @@ TEST(BoardServer, servesUntilTheFlagIsSetAndTimeNeverStepsBack) {
     ASSERT_EQ(port.times_s.size(), 100U);
     EXPECT_TRUE(std::is_sorted(port.times_s.begin(), port.times_s.end()));
     EXPECT_GE(port.times_s.front(), 0.0);
+}
+
+/// Waits longer than the board's queue holds, as a process does that was stopped.
+class SleepyPort : public CountingPort {
+public:
+    using CountingPort::CountingPort;
+    void waitForTraffic(int) const override { (void)::poll(nullptr, 0, 80); }
+};
+
+// What the board sends in the time that it makes good must be taken before its queue is full.
+TEST(BoardServer, takesWhatTheBoardSendsInSmallPiecesAfterAPause) {
+    std::atomic<int> flag{0};
+    SleepyPort port(flag, 20);
+    EchoBoard board;
+    serveBoard(port, board, flag);
+    ASSERT_EQ(port.times_s.size(), 20U);
+    EXPECT_GE(port.times_s.back(), 0.1) << "the pause is made good";
+    for (std::size_t i = 1; i < port.times_s.size(); ++i) {
+        EXPECT_LE(port.times_s[i] - port.times_s[i - 1], 0.0101);
+    }
 }
 
 TEST(BoardServer, servesNothingOnceTheFlagIsSet) {

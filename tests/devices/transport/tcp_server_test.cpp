@@ -1,4 +1,5 @@
 #include "devices/transport/tcp_server.h"
+#include "devices/transport/tcp_transport.h"
 #include "tests/devices/transport/echo_board.h"
 
 #include <gtest/gtest.h>
@@ -169,6 +170,36 @@ TEST(TcpServer, saysWhetherOtherMachinesReachIt) {
     EXPECT_FALSE(TcpServer::listen({"localhost", 0})->isOpenToNetwork());
     EXPECT_FALSE(TcpServer::listen({"127.1.2.3", 0})->isOpenToNetwork()) << "all of 127 is this machine";
     EXPECT_TRUE(TcpServer::listen({"0.0.0.0", 0})->isOpenToNetwork());
+}
+
+// A server refuses a second master in its own name, with a counter that is not the board's: the step to the
+// board's first answer is no loss, the one behind it is.
+TEST(TcpTransport, countsWhatIsLostFromTheFirstAnswerOfTheBoardOn) {
+    for (const int refusals : {0, 1, 3}) {
+        for (const int first : {0, 3470, 65534}) {
+            NetworkAddress address{"127.0.0.1", 0};
+            const auto listener = bindSocket(address, SocketKind::Stream);
+            ASSERT_TRUE(listener);
+            TcpTransport transport(address);
+            ASSERT_TRUE(transport.open());
+            const Descriptor board = acceptTcp(*listener);
+            ASSERT_TRUE(board.isOpen());
+            Octets octets;
+            for (int i = 0; i < refusals; ++i) {
+                appendMessage(octets, static_cast<std::uint16_t>(i), Refused);
+            }
+            for (const int step : {0, 1, 4}) { // two are missing before the last one
+                appendMessage(octets, static_cast<std::uint16_t>(first + step), Connect);
+            }
+            ASSERT_EQ(::send(board.number(), octets.data(), octets.size(), MSG_NOSIGNAL),
+                      static_cast<ssize_t>(octets.size()));
+            Octets packet;
+            for (int i = 0; i < refusals + 3; ++i) {
+                ASSERT_TRUE(transport.receive(packet, 1.0).value_or(false));
+            }
+            EXPECT_EQ(transport.statistics().packetsLost, 2U) << refusals << ' ' << first;
+        }
+    }
 }
 
 } // namespace

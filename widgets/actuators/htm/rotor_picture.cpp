@@ -1,17 +1,29 @@
 #include "widgets/actuators/htm/rotor_picture.h"
 
+#include "widgets/actuators/htm/hall_trace_view.h"
 #include "widgets/actuators/htm/rotor_view.h"
 
 #include <QAction>
 #include <QActionGroup>
-#include <QVBoxLayout>
+#include <QHBoxLayout>
 
 namespace halbench::widgets {
 
-RotorPicture::RotorPicture(QWidget* parent) : ActuatorPicture(parent), m_view(new RotorView(this)) {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_view);
+namespace {
+
+/// From this shape on the cross-section, which is round, leaves room beside it.
+constexpr double WidePicture_ratio = 1.5;
+
+} // namespace
+
+RotorPicture::RotorPicture(QWidget* parent)
+    : ActuatorPicture(parent), m_view(new RotorView(this)), m_trace(new HallTraceView(this)) {
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(m_view, 3);
+    row->addWidget(m_trace, 2);
+    m_trace->hide();
     auto* models = new QActionGroup(this);
     const auto add = [&](FieldModel model, const QString& text, const QString& toolTip) {
         auto* choice = new QAction(text, this);
@@ -40,14 +52,22 @@ void RotorPicture::showSamples(const ActuatorValues& values) {
     m_view->setAngle(value("position"));
     m_view->setCurrents(value("current.a"), value("current.b"));
     m_view->setHall(value("hall.a"), value("hall.b"));
+    m_trace->add(value("position"), value("hall.a"), value("hall.b"));
 }
 
 void RotorPicture::setStale(bool isStale) {
     m_view->setStale(isStale);
+    m_trace->setStale(isStale);
 }
 
 void RotorPicture::clear() {
     m_view->clear();
+    m_trace->clear();
+}
+
+void RotorPicture::resizeEvent(QResizeEvent* event) {
+    ActuatorPicture::resizeEvent(event);
+    m_trace->setVisible(width() >= WidePicture_ratio * height());
 }
 
 ActuatorView rotorActuatorView() {

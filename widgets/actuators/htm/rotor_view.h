@@ -64,6 +64,7 @@ private:
     void drawSensors(QPainter& painter, const Theme& theme) const;
     void drawAngleMark(QPainter& painter, const Theme& theme) const;
     void drawWords(QPainter& painter, const Theme& theme) const;
+    void drawScale(QPainter& painter, const Theme& theme, double pixels_per_mm) const;
     QString modelName() const;
     void describe();
 

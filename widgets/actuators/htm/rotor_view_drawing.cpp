@@ -15,6 +15,10 @@ namespace {
 constexpr double MmPerM = 1e3;
 constexpr double Margin_mm = 2.5;        ///< around the housing
 constexpr double ArrowFullScale_T = 0.2; ///< a Hall arrow this long reaches the bore
+constexpr double ScaleArrow_T = 0.1;
+constexpr double CoilName_mm = 4.0;
+constexpr double SensorName_mm = 2.1;
+constexpr int LeastName_px = 9;
 constexpr int Lines = 22;
 
 QPointF mm(const Eigen::Vector2d& point_m) {
@@ -115,6 +119,7 @@ void RotorView::paintEvent(QPaintEvent*) {
     drawNames(painter, theme);
     painter.restore();
     drawWords(painter, theme);
+    drawScale(painter, theme, scale);
 }
 
 void RotorView::drawMagnets(QPainter& painter, const Theme& theme) const {
@@ -267,24 +272,49 @@ void RotorView::drawNames(QPainter& painter, const Theme& theme) const {
     const QTransform toPixels = painter.transform();
     const double sensor_mm = m_geometry.sensorRadius_m * MmPerM;
     const double coil_mm = m_geometry.coil.meanRadius_m * MmPerM;
-    const double inside_mm = sensor_mm - 3.8;
     struct Name {
         QPointF at_mm;
         QString text;
         QColor ink;
+        double height_mm;
     };
+    const double beside_mm = 2.8; // of a sensor, clear of the coils
     const std::array names = {
-        Name{{inside_mm, 0.0}, tr("a"), theme.curves[3]}, Name{{0.0, inside_mm}, tr("b"), theme.curves[5]},
-        Name{{-coil_mm, 0.0}, tr("A"), theme.text}, Name{{0.0, -coil_mm}, tr("B"), theme.text}};
+        Name{{sensor_mm - 2.0, beside_mm}, tr("Hall A"), theme.curves[3], SensorName_mm},
+        Name{{0.0, sensor_mm - 1.3 * beside_mm}, tr("Hall B"), theme.curves[5], SensorName_mm},
+        Name{{-coil_mm, 0.0}, tr("A"), theme.text, CoilName_mm},
+        Name{{0.0, -coil_mm}, tr("B"), theme.text, CoilName_mm}};
     painter.save();
     painter.resetTransform();
+    const double ratio = painter.device()->devicePixelRatioF();
+    painter.scale(ratio, ratio);
     for (const Name& name : names) {
-        QRectF box(0.0, 0.0, 40.0, 40.0);
-        box.moveCenter(toPixels.map(name.at_mm));
+        QFont letters = font();
+        const double height_px = name.height_mm * toPixels.m11() / ratio;
+        letters.setPixelSize(std::max(LeastName_px, static_cast<int>(std::lround(height_px))));
+        painter.setFont(letters);
+        QRectF box(0.0, 0.0, 100.0, 100.0);
+        box.moveCenter(toPixels.map(name.at_mm) / ratio);
         painter.setPen(name.ink);
         painter.drawText(box, Qt::AlignCenter, name.text);
     }
     painter.restore();
+}
+
+/// As long as the arrow of a sensor that reads as much.
+void RotorView::drawScale(QPainter& painter, const Theme& theme, double pixels_per_mm) const {
+    const double reach_mm = (m_geometry.boreRadius_m() - m_geometry.sensorRadius_m) * MmPerM;
+    const double length_px = reach_mm * pixels_per_mm * ScaleArrow_T / ArrowFullScale_T;
+    const QString text = fixed(ScaleArrow_T * 1e3, 0) + QStringLiteral(" mT");
+    const double below_px = 5.5 * painter.fontMetrics().height(); // the words of the sensors
+    const QPointF end(width() - PanelMargin_px, height() - PanelMargin_px - below_px);
+    painter.setPen(linePen(painter, theme.muted, 3.0));
+    for (const QLineF& line : arrowOf(length_px, std::min(2.2 * pixels_per_mm, 0.6 * length_px))) {
+        painter.drawLine(line.translated(end - QPointF(length_px / 2.0, 0.0)));
+    }
+    painter.drawText(QRectF(0.0, end.y() - 2.4 * painter.fontMetrics().height(), end.x(),
+                            1.5 * painter.fontMetrics().height()),
+                     Qt::AlignRight | Qt::AlignBottom, text);
 }
 
 void RotorView::drawWords(QPainter& painter, const Theme& theme) const {

@@ -89,7 +89,7 @@ void AxisGainEditor::refreshWords() {
                              {},
                              QStringLiteral("ms")};
     const QString names[] = {QStringLiteral("K_P"), QStringLiteral("K_I"), QStringLiteral("K_D"),
-                             QStringLiteral("b"),   QStringLiteral("c"),   QStringLiteral("T_f")};
+                             tr("Weight b"),        tr("Weight c"),        tr("Filter T_f")};
     const QString helps[] = {tr("Proportional gain"),
                              tr("Integral gain"),
                              tr("Derivative gain"),

@@ -254,6 +254,11 @@ void FilterEditor::setFrequencyUnit(FrequencyUnit unit) {
     showAll();
 }
 
+void FilterEditor::setOffered(const std::optional<BoardLawSpec>& offered) {
+    m_offered = offered;
+    sayOffered();
+}
+
 void FilterEditor::setShaping(const std::optional<control::FilteredLaw>& filtered) {
     const control::FilteredLaw wanted = filtered.value_or(control::FilteredLaw{});
     m_shaping = wanted;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/procedures/tune/position_law_parameters.h"
 #include "app/workbench/display_quantity.h"
 #include "control/law/filtered_law.h"
 
@@ -22,8 +23,8 @@ class OptionalNumberEdit;
 
 namespace halbench::app {
 
-/// What a controller can have around its gains and no board has: set-point weights, a filter on the
-/// derivative, filters in series. Behind a button while there is none. What is no number never leaves it.
+/// Set-point weights, filter on the derivative and filters in series around the gains; whether the connected
+/// device runs them stands above. Behind a button while there is none. What is no number never leaves it.
 /// Thread: GUI.
 class FilterEditor : public QWidget {
     Q_OBJECT
@@ -31,6 +32,8 @@ public:
     explicit FilterEditor(QWidget* parent = nullptr);
 
     void setFrequencyUnit(FrequencyUnit unit);
+    /// What the law of the connected device has of it; nothing: no device is connected.
+    void setOffered(const std::optional<BoardLawSpec>& offered);
     /// Of a law, whose gains are not read; nothing: the board's own.
     void setShaping(const std::optional<control::FilteredLaw>& filtered);
     /// These gains with what stands here around them; nothing when the board's law is all of it. Errors:
@@ -71,12 +74,14 @@ private:
     void showFigures(Filter& row);
     void showAll();
     void sayWords();
+    void sayOffered();
     void sayFilter(std::size_t at);
     void expand(bool isShown);
     void bringIntoSight();
     double factorOf(const control::LoopFilter& filter, std::size_t figure) const;
 
     FrequencyUnit m_unit = FrequencyUnit::Hertz;
+    std::optional<BoardLawSpec> m_offered;
     control::FilteredLaw m_shaping; ///< its gains but for the filter, and its filters, do not count
     std::vector<Filter> m_rows;
     QToolButton* m_toggle = nullptr;

@@ -59,7 +59,7 @@ void FilterEditor::sayWords() {
     m_toggle->setText(tr("Weights and filters"));
     m_toggle->setToolTip(tr("Set-point weights, derivative filter and series filters"));
     m_toggle->setAccessibleName(m_toggle->text());
-    m_note->setText(tr("For analysis and C export. Applied only if the device's control law supports them."));
+    sayOffered();
     m_add->setText(tr("Add a filter"));
     m_add->setToolTip(tr("In series with the others, four at most; low-pass first"));
     m_add->setAccessibleName(m_add->text());
@@ -77,6 +77,22 @@ void FilterEditor::sayWords() {
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         sayFilter(i);
     }
+}
+
+/// A device that lacks one of them refuses laws that need it: which, is said where gains are applied.
+void FilterEditor::sayOffered() {
+    if (!m_offered) {
+        m_note->setText(tr("For analysis and C export. A connected device may run them as well."));
+        return;
+    }
+    const bool hasWeights = m_offered->hasReferenceWeight && m_offered->hasDerivativeReferenceWeight &&
+                            m_offered->hasDerivativeFilter;
+    const auto filters = static_cast<int>(m_offered->filters);
+    m_note->setText(
+        hasWeights && filters > 0 ? tr("This device runs them, with up to %1 filters.").arg(filters)
+        : hasWeights || filters > 0
+            ? tr("This device runs a part of them; the others are for analysis and C export only.")
+            : tr("This device does not run them: for analysis and C export only."));
 }
 
 void FilterEditor::changeEvent(QEvent* event) {

@@ -58,19 +58,6 @@ TEST_F(OutputFile, fullDiskIsToldAndNotTakenForSuccess) {
     EXPECT_NE(written.error().hint.find("space"), std::string::npos);
 }
 
-TEST_F(OutputFile, whatAResultIsMadeOfIsNotReplaced) {
-    ASSERT_TRUE(writeFile(path("run.csv"), "x").has_value());
-    ASSERT_TRUE(writeFile(path("other.csv"), "x").has_value());
-    EXPECT_TRUE(checkIsNoInput(path("new.csv"), {path("run.csv"), path("other.csv")}));
-    const std::string detour = (m_folder / ".." / m_folder.filename() / "other.csv").string();
-    for (const std::string& same : {path("other.csv"), detour}) {
-        const Result<void> checked = checkIsNoInput(same, {path("run.csv"), path("other.csv")});
-        ASSERT_FALSE(checked) << same;
-        EXPECT_EQ(checked.error().code, ErrorCode::Usage);
-        EXPECT_NE(checked.error().message.find(same), std::string::npos);
-    }
-}
-
 TEST_F(OutputFile, readingSaysWhatIsMissing) {
     EXPECT_NE(readFile(path("none")).error().message.find("none"), std::string::npos);
     EXPECT_EQ(readFile(path("")).error().code, ErrorCode::FileSystem);

@@ -173,7 +173,7 @@ TEST(ApplyAxes, aPlatenOfHalfTheMassIsFoundOutByItsEffort) {
     EXPECT_TRUE(isNamed);
 }
 
-TEST(ApplyAxes, effortOfAHealthyPlatenIsWithinATenthWithEveryImperfection) {
+TEST(ApplyAxesSeeds, effortOfAHealthyPlatenIsWithinATenthWithEveryImperfection) {
     // Coil gains of 0.98 to 1.02, the real centre of mass, cable, noise (section 3 there), the chips as a
     // calibration leaves them: far inside of what is allowed.
     const std::string calibrated = "&hall_gain_sigma=0&hall_offset_sigma_uT=0&hall_cross_sigma=0"
@@ -212,7 +212,7 @@ TEST(ApplyAxes, aPlatenAtItsEndStopStepsBack) {
 
 // The reference of a held axis is one noisy reading, which may lie beyond the stop: the loop winds up while
 // it presses, and the step that follows begins late.
-TEST(ApplyAxes, aPlatenThatIsPressedAgainstItsStopKeepsHealthyGains) {
+TEST(ApplyAxesSeeds, aPlatenThatIsPressedAgainstItsStopKeepsHealthyGains) {
     for (int seed = 1; seed <= 8; ++seed) {
         const auto device = openPlaten("seed=" + std::to_string(seed));
         ASSERT_NE(device, nullptr);

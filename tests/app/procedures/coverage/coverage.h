@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace halbench::app {
@@ -18,18 +19,21 @@ struct Coverage {
     int notGood = 0; ///< verdicts
 };
 
-inline Coverage countCoverage(int firstSeed, int lastSeed) {
+/// `overrides` of the motor, "&KEY=VALUE..."; the current's tolerance where one is stated.
+inline Coverage countCoverage(int firstSeed, int lastSeed, const std::string& overrides = {},
+                              std::optional<double> currentTolerance_percent = {}) {
     // resources/help/htm-theory.md section 2
     constexpr std::array Truth = {1.23e-3, 2.05e-2, 1.43e-2};
     Coverage coverage;
     for (int seed = firstSeed; seed <= lastSeed; ++seed) {
-        const auto device = devices::openDevice("sim:htm?seed=" + std::to_string(seed), {});
+        const auto device = devices::openDevice("sim:htm?seed=" + std::to_string(seed) + overrides, {});
         if (!device) {
             ADD_FAILURE() << device.error().message;
             return coverage;
         }
         IdentifyConfig config;
         config.given.inertia_kg_m2 = 5.5e-4;
+        config.currentTolerance_percent = currentTolerance_percent;
         config.seed = static_cast<std::uint64_t>(seed);
         const auto result = runIdentify(**device, config, {});
         if (!result) {

@@ -1,8 +1,11 @@
 #include "app/procedures/calibrate/calibrate_procedure.h"
 #include "app/procedures/frequency/frequency_judge.h"
 #include "app/procedures/frequency/frequency_procedure.h"
+#include "app/procedures/tune/tune.h"
 #include "control/lti/discretize.h"
 #include "tests/app/procedures/simulated_motor.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -254,6 +257,42 @@ TEST(FrequencyIdentification, referenceNeverTurnsBack) {
     }
     EXPECT_GT(lowest, 0.19);
     EXPECT_LT(lowest, 0.9);
+}
+
+// Motors that answer three to twelve times as much to a current as the published one that the plan foresees,
+// with gains designed for them: the amplitude is brought down until the rotor keeps turning, and the sensors
+// know their angle to 0.5 degrees at worst.
+TEST(FrequencyIdentification, aLivelyMotorIsMeasuredWithAsMuchAsKeepsItTurning) {
+    struct Motor {
+        double inertia, damping, friction, torque;
+    };
+    for (const Motor& motor : {Motor{9.67e-5, 1.49e-3, 2.32e-2, 2.9e-2}, Motor{1e-4, 3e-4, 5e-3, 3e-2},
+                               Motor{2.5e-4, 1.2e-3, 1e-2, 2e-2}, Motor{4e-4, 9e-4, 2.05e-2, 1.9e-2}}) {
+        MotorEstimate estimate;
+        estimate.values = {
+            {"J", motor.inertia}, {"c", motor.damping}, {"Kf", motor.friction}, {"phi", motor.torque}};
+        const auto tuned = runTune(estimate, {});
+        ASSERT_TRUE(tuned) << tuned.error().message;
+        auto device = openMotor(fmt::format("{}&J={}&c={}&Kf={}&phi={}", FullChain, motor.inertia,
+                                            motor.damping, motor.friction, motor.torque));
+        setParameter(*device, "gain.kp", tuned->law.gains.proportional);
+        setParameter(*device, "gain.ki", tuned->law.gains.integral);
+        setParameter(*device, "gain.kd", tuned->law.gains.derivative);
+        const auto result = runFrequency(*device, {}, StrayField{0.157, 2.5e-3, {}, true}, {});
+        ASSERT_TRUE(result) << motor.inertia << ": " << result.error().message;
+        EXPECT_NE(result->quality.verdict, Verdict::Refused) << motor.inertia;
+        EXPECT_FALSE(device->state().isArmed);
+    }
+}
+
+// An amplitude that is asked for is not changed: the cause is said instead.
+TEST(FrequencyIdentification, aGivenAmplitudeIsNotReduced) {
+    auto device = openMotor(FullChain + "&J=1e-4&c=3e-4&Kf=5e-3&phi=3e-2");
+    FrequencyConfig config;
+    config.amplitude_rad = 0.01;
+    const auto result = runFrequency(*device, config, {}, {}); // with gains that make this motor unstable
+    ASSERT_FALSE(result);
+    EXPECT_FALSE(device->state().isArmed);
 }
 
 TEST(FrequencyIdentification, refusesWhatWouldTurnFrictionAround) {

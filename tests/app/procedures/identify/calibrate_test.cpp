@@ -171,7 +171,7 @@ TEST(Calibrate, theErrorMapLowersTheTrueAngleError) {
 
 // The truth is that of one direction under 2.5 A: what the phase currents differ from those that the board
 // compensates, times the stray field, turns the readings twice per turn with the sign of the current.
-TEST(Calibrate, theErrorMapIsRightWithinItsIntervalsUnderCurrentToo) {
+TEST(CalibrateSeeds, theErrorMapIsRightWithinItsIntervalsUnderCurrentToo) {
     constexpr int Motors = 20;
     for (const std::string other : {"", "&dac_gain_sigma=0.01", "&J=3e-4&c=1e-3&phi=1.6e-2"}) {
         int covered = 0;

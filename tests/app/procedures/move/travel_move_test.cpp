@@ -51,9 +51,11 @@ TEST(TravelMove, sCurveArrivesWhenItSaidItWould) {
     EXPECT_NEAR(*result.truth->rampEndSpeed / -0.02, 1.0, 0.02);
 }
 
-TEST(TravelMove, circleAndRasterTellTheirContourError) {
+TEST(TravelMove, pathsTellTheirContourError) {
     for (const std::string& shape :
-         {std::string("circle,radius_mm=2"), std::string("raster,width_mm=2,lines=4,pitch_um=300")}) {
+         {std::string("circle,radius_mm=2"), std::string("raster,width_mm=2,lines=4,pitch_um=300"),
+          std::string("arc,radius_mm=2,angle_deg=-110,heading_deg=20"),
+          std::string("line,length_mm=4,heading_deg=-130")}) {
         const auto device = openPlaten();
         ASSERT_NE(device, nullptr);
         const MoveConfig config = travelOf("", shape + Limits);

@@ -1,5 +1,6 @@
 #include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/record/record_procedure.h"
+#include "tests/app/procedures/rogue_board.h"
 #include "tests/app/procedures/simulated_motor.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,68 @@ TEST(Record, givesRowsFromZeroUpToTheDuration) {
     EXPECT_EQ(result->quality.verdict, Verdict::Good);
     EXPECT_FALSE(device->state().isArmed);
     EXPECT_EQ(result->recording.layout->columns.size(), device->catalogue().defaultSignals.size());
+}
+
+/// A device that stands still for a while by the host's clock, as a served simulation does whose process is
+/// stopped: its own time does not go on.
+class StandingBoard : public RogueBoard {
+public:
+    StandingBoard(std::unique_ptr<devices::Device> device, double from_s, double pause_s)
+        : RogueBoard(std::move(device), [](auto values) { return values; }),
+          m_clock(RogueBoard::clock(), from_s, pause_s) {}
+    devices::Clock& clock() override { return m_clock; }
+
+private:
+    class StandingClock : public devices::Clock {
+    public:
+        StandingClock(devices::Clock& inner, double from_s, double pause_s)
+            : m_inner(inner), m_from_s(inner.now_s() + from_s), m_left_s(pause_s) {}
+        double now_s() const override { return m_inner.now_s() + m_stood_s; }
+        Result<void> waitFor(double duration_s) override {
+            if (m_inner.now_s() < m_from_s || m_left_s <= 0.0) {
+                return m_inner.waitFor(duration_s);
+            }
+            m_stood_s += duration_s;
+            m_left_s -= duration_s;
+            return {};
+        }
+
+    private:
+        devices::Clock& m_inner;
+        double m_from_s;
+        double m_left_s;
+        double m_stood_s = 0.0;
+    };
+    StandingClock m_clock;
+};
+
+// Its rows are late and not lost, and none is missing in its own time.
+TEST(Record, aDeviceThatStoodStillIsWaitedForUntilItsRowsAreThere) {
+    for (const double pause_s : {0.3, 0.7, 1.0}) {
+        for (const double rate_Hz : {100.0, 200.0}) {
+            StandingBoard device(openMotor(""), 0.4, pause_s);
+            RecordConfig config;
+            config.duration_s = 2.0;
+            config.rate_Hz = rate_Hz;
+            const auto result = runRecord(device, config, {});
+            ASSERT_TRUE(result) << result.error().message;
+            EXPECT_EQ(result->recording.rows(), static_cast<std::size_t>(2.0 * rate_Hz)) << pause_s;
+            EXPECT_EQ(result->quality.verdict, Verdict::Good) << pause_s;
+            EXPECT_EQ(result->lostRows, 0U);
+        }
+    }
+}
+
+// One that never goes on does not hold the recording for ever: half of the rows are no recording.
+TEST(Record, aDeviceThatStandsStillForGoodEndsTheRecording) {
+    StandingBoard device(openMotor(""), 0.4, 1e9);
+    RecordConfig config;
+    config.duration_s = 2.0;
+    const double start_s = device.clock().now_s();
+    const auto result = runRecord(device, config, {});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::DeviceLost);
+    EXPECT_LT(device.clock().now_s() - start_s, 2.5);
 }
 
 TEST(Record, anOutletGetsTheRowsThatMemoryWouldHaveHeld) {

@@ -59,6 +59,14 @@ TEST_P(PhrasesTest, haveEveryWordOfTheSimulatedBoardsCatalogues) {
     }
 }
 
+TEST_P(PhrasesTest, haveEveryOptionOfASimulation) {
+    for (const devices::SimulatedModel& model : devices::simulatedModels()) {
+        for (const devices::OverrideSpec& spec : model.keys) {
+            expectKnown(spec.meaning, spec.key);
+        }
+    }
+}
+
 TEST_P(PhrasesTest, haveEveryFaultOfTheBoard) {
     open();
     connectMotor(1.0);

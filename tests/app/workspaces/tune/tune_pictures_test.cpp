@@ -70,6 +70,7 @@ TEST_F(TunePicturesTest, marginsHaveTheIntervalOfTheIdentificationOrSayThatNoneI
     bench.setIdentification(publishedMotor());
     ASSERT_TRUE(wait([&] { return bench.design().has_value(); }));
     TuneResult design = *bench.design();
+    design.robust.isUncertain = true;
     design.robust.gainMargin_ratio = control::Robustness::Interval{4.1, 4.3};
     design.robust.phaseMargin_deg = control::Robustness::Interval{36.5, 39.0};
     design.robust.delayMargin_s = control::Robustness::Interval{0.0138, 0.0151};

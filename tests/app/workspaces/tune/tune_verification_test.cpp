@@ -2,6 +2,7 @@
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 
 #include <QScrollArea>
+#include <QSignalSpy>
 
 namespace halbench::app {
 namespace {
@@ -84,6 +85,9 @@ TEST_F(TuneVerificationTest, thatTheKeptGainsRunIsNotSaidOfAnotherDevice) {
     click(panel, "Keep");
     EXPECT_EQ(message(), "New gains active until disconnect.");
     EXPECT_TRUE(hasVerification());
+    QSignalSpy driving(&panel, &TunePanel::drivingRequested);
+    click(panel, "Drive the motor"); // what follows kept gains
+    EXPECT_EQ(driving.count(), 1);
     connectMotor("sim:htm?seed=9", 0.0); // leaves the one before
     ASSERT_TRUE(wait([&] { return bench.session().info().uri == "sim:htm?seed=9"; }));
     EXPECT_FALSE(hasVerification());

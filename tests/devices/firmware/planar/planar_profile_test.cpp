@@ -139,6 +139,43 @@ TEST(PlanarPath, followsACircle) {
     }
 }
 
+TEST(PlanarPath, followsAnArc) {
+    for (const auto& [angle, heading] :
+         {std::pair{1.25F, 0.0F}, {-1.25F, 0.7F}, {4.0F, -2.0F}, {-7.5F, 3.1F}}) {
+        hb_path_config config{};
+        config.shape = HB_PATH_ARC;
+        config.radius = 0.004F;
+        config.angle = angle;
+        config.heading = heading;
+        config.speed = 0.02F;
+        config.acceleration = 0.5F;
+        config.jerk = 20.0F;
+        config.is_s_curve = 1;
+        control::PlanePathConfig exact;
+        exact.shape = control::PlanePathConfig::Shape::Arc;
+        exact.radius = static_cast<double>(config.radius);
+        exact.angle_rad = static_cast<double>(angle);
+        exact.heading_rad = static_cast<double>(heading);
+        exact.limits = {static_cast<double>(0.02F), 0.5, 20.0};
+        expectSamePath(config, exact, 0.004 * (1.0 + std::fabs(exact.angle_rad)));
+    }
+}
+
+TEST(PlanarPath, followsALine) {
+    hb_path_config config{};
+    config.shape = HB_PATH_LINE;
+    config.length = 5e-3F;
+    config.heading = -2.2F;
+    config.speed = 0.02F;
+    config.acceleration = 0.5F;
+    control::PlanePathConfig exact;
+    exact.shape = control::PlanePathConfig::Shape::Line;
+    exact.length = static_cast<double>(5e-3F);
+    exact.heading_rad = static_cast<double>(-2.2F);
+    exact.limits = {static_cast<double>(0.02F), 0.5, {}};
+    expectSamePath(config, exact, 5e-3);
+}
+
 TEST(PlanarPath, followsARaster) {
     hb_path_config config{};
     config.shape = HB_PATH_RASTER;

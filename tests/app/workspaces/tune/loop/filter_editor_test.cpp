@@ -5,8 +5,11 @@
 
 #include <QAbstractButton>
 #include <QComboBox>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QtTest/QTest>
+
+#include <algorithm>
 
 namespace halbench::app {
 namespace {
@@ -139,6 +142,21 @@ TEST_F(FilterEditorTest, whatIsNoNumberIsNamed) {
     refused = editor.filtered(gains());
     ASSERT_FALSE(refused);
     EXPECT_NE(refused.error().message.find("Filter 1: Corner"), std::string::npos) << refused.error().message;
+}
+
+TEST_F(FilterEditorTest, saysWhetherTheDeviceRunsThem) {
+    const auto says = [this](const char* words) {
+        const auto labels = editor.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const QLabel* label) { return label->text().contains(words); });
+    };
+    EXPECT_TRUE(says("may run them"));
+    editor.setOffered(BoardLawSpec{});
+    EXPECT_TRUE(says("does not run them"));
+    editor.setOffered(BoardLawSpec{true, true, true, 0});
+    EXPECT_TRUE(says("runs a part"));
+    editor.setOffered(BoardLawSpec{true, true, true, 4});
+    EXPECT_TRUE(says("up to 4 filters"));
 }
 
 TEST_F(FilterEditorTest, thereAreFourAtMost) {
