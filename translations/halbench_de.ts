@@ -10000,7 +10000,7 @@
     </message>
     <message>
         <source>harmonic ({}) at 50 mm instead of the preset&apos;s</source>
-        <translation>Harmonische ({}) bei 50 mm statt der Voreinstellung</translation>
+        <translation>Harmonische ({}) bei 50 mm statt der des Parametersatzes</translation>
     </message>
     <message>
         <source>spread of the drawn cross-axis shares, 1 sigma</source>
