@@ -159,6 +159,12 @@ TEST_F(WindowReconnectTest, recordsOnWithAMarkedGapAndIsNotArmed) {
 
 TEST_F(WindowReconnectTest, theHistoryStaysAndShowsTheGap) {
     connectBoard();
+    std::vector<control::TimedValue> history; // something has to be there before the loss
+    ASSERT_TRUE(wait([&] {
+        history.clear();
+        window->bench().history().samples("hall.a", {-1e9, 1e9}, history);
+        return history.size() > 100;
+    }));
     unplug();
     const auto before = window->bench().history().latest("hall.a");
     ASSERT_TRUE(before);
