@@ -1,9 +1,11 @@
 #include "app/procedures/frequency/frequency_procedure.h"
 
+#include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
+#include "app/procedures/base/standstill.h"
 #include "app/procedures/excite/guarded_rotation.h"
 #include "app/procedures/excite/spin_drive.h"
 #include "app/procedures/frequency/frequency_board.h"
@@ -149,12 +151,20 @@ Result<Attempt> drive(devices::Device& device, FrequencyRun& run, const Frequenc
     run.stages.clear();
     FrequencyExcitation excitation(device, observer, plan, run);
     if (auto driven = excitation.drive(); !driven) {
-        const bool isSlow = mayTryLess && excitation.cameNearStandstill();
+        // A stop by a limit or by the user is no reason to try again.
+        const bool isSlow =
+            mayTryLess && driven.error().code == ErrorCode::Refused && excitation.cameNearStandstill();
         const Result<void> disarmed = isSlow ? device.disarm() : driven;
         return disarmed ? Result<Attempt>(Attempt::NearStandstill) : failure(disarmed.error());
     }
     run.rowLoss = causeOfRowLoss(before, device.statistics());
     return Attempt::Measured;
+}
+
+/// Before it is armed again: a position loop that is closed on a turning rotor would jerk it to a halt.
+Result<void> standStill(devices::Device& device, const ProcedureObserver& observer) {
+    const auto axis = chosenAxis(device.catalogue(), {});
+    return axis ? awaitStandstill(device, *axis, observer) : failure(axis.error());
 }
 
 /// The plan foresees the published motor; a livelier one is measured with less. An amplitude that is asked
@@ -172,6 +182,9 @@ Result<FrequencyPlan> driveWithin(devices::Device& device, FrequencyRun& run, Fr
         }
         for (FrequencyStage& stage : plan.stages) {
             stage.reference.amplitude *= 0.5;
+        }
+        if (auto stood = standStill(device, observer); !stood) {
+            return failure(stood.error());
         }
     }
 }

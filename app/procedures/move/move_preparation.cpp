@@ -3,6 +3,7 @@
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/base/procedure_steps.h"
+#include "app/procedures/base/standstill.h"
 #include "app/procedures/excite/travel_reference.h"
 #include "app/procedures/tune/position_law_parameters.h"
 
@@ -74,6 +75,9 @@ Result<MoveTask> pathTask(devices::Device& device, const MoveConfig& config) {
         return failure(axes.error());
     }
     const auto& [first, second] = *axes;
+    if (auto isMeant = checkQuantity(config.reference, first); !isMeant) {
+        return failure(isMeant.error());
+    }
     const MoveTask task{first, std::nullopt, excursionWindow(device.catalogue(), config, first),
                         config.speedLimit_rad_s};
     auto within = withinBoardWindows(device, config, task);
@@ -89,34 +93,6 @@ void holdOthers(const devices::Catalogue& catalogue, const devices::AxisSpec& mo
             values.push_back({axis.generator + ".base", 0.0});
         }
     }
-}
-
-// A motor that is still coasting from its last move would give the reference a moving origin. One that does
-// not stop (no friction) is taken as it is; the figures then speak for themselves.
-Result<void> awaitRest(devices::Device& device, const devices::AxisSpec& axis,
-                       const ProcedureObserver& observer) {
-    constexpr double Still_rad_s = 0.15; // one count that flickers looks like 0.11 rad/s
-    constexpr double Patience_s = 10.0;
-    constexpr double Piece_s = 0.1;
-    const std::string names[] = {signalOf(device.catalogue(), axis.roles.speed)};
-    if (device.catalogue().findSignal(names[0]) == nullptr) {
-        return {};
-    }
-    int still = 0;
-    for (double waited_s = 0.0; waited_s < Patience_s && still < 2; waited_s += Piece_s) {
-        const auto speed_rad_s = device.readSignals(names);
-        if (!speed_rad_s) {
-            return failure(speed_rad_s.error());
-        }
-        still = std::fabs(speed_rad_s->front()) < Still_rad_s ? still + 1 : 0;
-        if (still < 2) {
-            if (auto waited = waitObserved(device, observer, Piece_s, 0.0, 0.0, "waiting for standstill");
-                !waited) {
-                return waited;
-            }
-        }
-    }
-    return {};
 }
 
 Result<bool> hasZero(devices::Device& device, const std::string& signal) {
@@ -236,7 +212,7 @@ Result<void> prepareMove(devices::Device& device, const MoveConfig& config, cons
     if (!heat) {
         return failure(heat.error());
     }
-    return axis.turnsForever ? awaitRest(device, axis, observer) : awaitZero(device, observer);
+    return axis.turnsForever ? awaitStandstill(device, axis, observer) : awaitZero(device, observer);
 }
 
 } // namespace halbench::app

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace halbench::app {
 namespace {
@@ -259,40 +260,99 @@ TEST(FrequencyIdentification, referenceNeverTurnsBack) {
     EXPECT_LT(lowest, 0.9);
 }
 
+bool isFound(const DataQuality& quality, const std::string& code) {
+    return std::any_of(quality.findings.begin(), quality.findings.end(),
+                       [&code](const Finding& finding) { return finding.code == code; });
+}
+
+struct Lively {
+    double inertia, damping, friction, torque;
+};
+
+const Lively LivelyMotors[] = {{9.67e-5, 1.49e-3, 2.32e-2, 2.9e-2},
+                               {1e-4, 3e-4, 5e-3, 3e-2},
+                               {2.5e-4, 1.2e-3, 1e-2, 2e-2},
+                               {4e-4, 9e-4, 2.05e-2, 1.9e-2}};
+
+/// With gains that are designed for this motor.
+std::unique_ptr<devices::Device> openTuned(const Lively& motor) {
+    MotorEstimate estimate;
+    estimate.values = {
+        {"J", motor.inertia}, {"c", motor.damping}, {"Kf", motor.friction}, {"phi", motor.torque}};
+    const auto tuned = runTune(estimate, {});
+    EXPECT_TRUE(tuned) << tuned.error().message;
+    auto device = openMotor(fmt::format("{}&J={}&c={}&Kf={}&phi={}", FullChain, motor.inertia, motor.damping,
+                                        motor.friction, motor.torque));
+    if (!tuned || device == nullptr) {
+        return nullptr;
+    }
+    setParameter(*device, "gain.kp", tuned->law.gains.proportional);
+    setParameter(*device, "gain.ki", tuned->law.gains.integral);
+    setParameter(*device, "gain.kd", tuned->law.gains.derivative);
+    return device;
+}
+
 // Motors that answer three to twelve times as much to a current as the published one that the plan foresees,
 // with gains designed for them: the amplitude is brought down until the rotor keeps turning, and the sensors
 // know their angle to 0.5 degrees at worst.
 TEST(FrequencyIdentification, aLivelyMotorIsMeasuredWithAsMuchAsKeepsItTurning) {
-    struct Motor {
-        double inertia, damping, friction, torque;
-    };
-    for (const Motor& motor : {Motor{9.67e-5, 1.49e-3, 2.32e-2, 2.9e-2}, Motor{1e-4, 3e-4, 5e-3, 3e-2},
-                               Motor{2.5e-4, 1.2e-3, 1e-2, 2e-2}, Motor{4e-4, 9e-4, 2.05e-2, 1.9e-2}}) {
-        MotorEstimate estimate;
-        estimate.values = {
-            {"J", motor.inertia}, {"c", motor.damping}, {"Kf", motor.friction}, {"phi", motor.torque}};
-        const auto tuned = runTune(estimate, {});
-        ASSERT_TRUE(tuned) << tuned.error().message;
-        auto device = openMotor(fmt::format("{}&J={}&c={}&Kf={}&phi={}", FullChain, motor.inertia,
-                                            motor.damping, motor.friction, motor.torque));
-        setParameter(*device, "gain.kp", tuned->law.gains.proportional);
-        setParameter(*device, "gain.ki", tuned->law.gains.integral);
-        setParameter(*device, "gain.kd", tuned->law.gains.derivative);
-        const auto result = runFrequency(*device, {}, StrayField{0.157, 2.5e-3, {}, true}, {});
+    int reduced = 0;
+    for (const Lively& motor : LivelyMotors) {
+        auto device = openTuned(motor);
+        ASSERT_NE(device, nullptr);
+        int attempts = 0;
+        double fastestAtArming_rad_s = 0.0;
+        ProcedureObserver observer;
+        observer.onState = [&](ProcedureState state) { // Excite is entered just before the motor is armed
+            if (state == ProcedureState::Excite) {
+                const std::string names[] = {"truth.speed"};
+                fastestAtArming_rad_s =
+                    std::max(fastestAtArming_rad_s, std::fabs(device->readSignals(names)->front()));
+                ++attempts;
+            }
+        };
+        const auto result = runFrequency(*device, {}, StrayField{0.157, 2.5e-3, {}, true}, observer);
         ASSERT_TRUE(result) << motor.inertia << ": " << result.error().message;
         EXPECT_NE(result->quality.verdict, Verdict::Refused) << motor.inertia;
         EXPECT_FALSE(device->state().isArmed);
+        EXPECT_LT(fastestAtArming_rad_s, 0.15) << motor.inertia; // it stands when it is armed again
+        EXPECT_EQ(isFound(result->quality, "amplitude_reduced"), attempts > 1) << motor.inertia;
+        reduced += attempts > 1 ? 1 : 0;
+    }
+    EXPECT_GE(reduced, 1);
+}
+
+/// How often the motor is armed by a frequency response that fails.
+int attemptsOf(devices::Device& device, const FrequencyConfig& config, ErrorCode expected) {
+    int attempts = 0;
+    ProcedureObserver observer;
+    observer.onState = [&](ProcedureState state) { attempts += state == ProcedureState::Excite ? 1 : 0; };
+    const auto result = runFrequency(device, config, {}, observer);
+    EXPECT_FALSE(result);
+    if (!result) {
+        EXPECT_EQ(result.error().code, expected) << result.error().message;
+    }
+    EXPECT_FALSE(device.state().isArmed);
+    return attempts;
+}
+
+// With one sample of delay the published loop swings until the rotor stands, whatever the amplitude: three
+// halvings of the planned one are tried, none of one that is asked for.
+TEST(FrequencyIdentification, aGivenAmplitudeIsNotReduced) {
+    for (const auto& [amplitude_rad, attempts] : {std::pair<std::optional<double>, int>{0.01, 1}, {{}, 4}}) {
+        auto device = openMotor("seed=1&delay_samples=1");
+        setParameter(*device, "delay.samples", 1.0);
+        FrequencyConfig config;
+        config.amplitude_rad = amplitude_rad;
+        EXPECT_EQ(attemptsOf(*device, config, ErrorCode::Refused), attempts);
     }
 }
 
-// An amplitude that is asked for is not changed: the cause is said instead.
-TEST(FrequencyIdentification, aGivenAmplitudeIsNotReduced) {
+// Published gains make this motor swing through standstill into its speed window: a stop of the board is
+// final.
+TEST(FrequencyIdentification, aStopOfTheBoardIsNotTriedAgain) {
     auto device = openMotor(FullChain + "&J=1e-4&c=3e-4&Kf=5e-3&phi=3e-2");
-    FrequencyConfig config;
-    config.amplitude_rad = 0.01;
-    const auto result = runFrequency(*device, config, {}, {}); // with gains that make this motor unstable
-    ASSERT_FALSE(result);
-    EXPECT_FALSE(device->state().isArmed);
+    EXPECT_EQ(attemptsOf(*device, {}, ErrorCode::SafetyStop), 1);
 }
 
 TEST(FrequencyIdentification, refusesWhatWouldTurnFrictionAround) {
