@@ -10126,6 +10126,34 @@
         <source>Torque constant</source>
         <translation>Drehmomentkonstante</translation>
     </message>
+    <message>
+        <source>the radius of an arc is negative</source>
+        <translation>der Radius eines Bogens ist negativ</translation>
+    </message>
+    <message>
+        <source>Its angle says to which side it bends.</source>
+        <translation>Sein Winkel sagt, nach welcher Seite er sich biegt.</translation>
+    </message>
+    <message>
+        <source>{}={} has a character that divides an address</source>
+        <translation>{}={} enthält ein Trennzeichen der Adresse</translation>
+    </message>
+    <message>
+        <source>Leave out &amp; ? #.</source>
+        <translation>&amp; ? # weglassen.</translation>
+    </message>
+    <message>
+        <source>a {} has no {}</source>
+        <translation>zu {} gehört kein {}</translation>
+    </message>
+    <message>
+        <source>the radius of an arc is positive</source>
+        <translation>der Radius eines Bogens ist positiv</translation>
+    </message>
+    <message>
+        <source>The sign of angle_deg says whether it bends to the left (positive) or to the right.</source>
+        <translation>Das Vorzeichen von angle_deg sagt, ob er sich nach links (positiv) oder rechts biegt.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -10126,6 +10126,34 @@
         <source>Torque constant</source>
         <translation>转矩常数</translation>
     </message>
+    <message>
+        <source>the radius of an arc is negative</source>
+        <translation>圆弧半径为负</translation>
+    </message>
+    <message>
+        <source>Its angle says to which side it bends.</source>
+        <translation>其角度决定弯曲方向。</translation>
+    </message>
+    <message>
+        <source>{}={} has a character that divides an address</source>
+        <translation>{}={} 含有地址分隔符</translation>
+    </message>
+    <message>
+        <source>Leave out &amp; ? #.</source>
+        <translation>请去掉 &amp; ? #。</translation>
+    </message>
+    <message>
+        <source>a {} has no {}</source>
+        <translation>{} 没有 {}</translation>
+    </message>
+    <message>
+        <source>the radius of an arc is positive</source>
+        <translation>圆弧半径为正</translation>
+    </message>
+    <message>
+        <source>The sign of angle_deg says whether it bends to the left (positive) or to the right.</source>
+        <translation>angle_deg 的符号决定向左（正）或向右弯曲。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -53,6 +53,10 @@ Result<void> checkPath(const PlanePathConfig& config) {
         return size ? checkCount("turns", config.turns) : size;
     }
     if (config.shape == Shape::Arc) {
+        if (config.radius < 0.0) {
+            return failure(ErrorCode::OutOfRange, "the radius of an arc is negative",
+                           "Its angle says to which side it bends.");
+        }
         auto size = checkSize("radius", config.radius);
         return size ? checkSize("angle", config.angle_rad) : size;
     }

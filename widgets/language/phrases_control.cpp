@@ -309,6 +309,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Give at least one."),
     QT_TRANSLATE_NOOP("Phrases", "the heading of a path is not a number"),
     QT_TRANSLATE_NOOP("Phrases", "Give a finite angle."),
+    QT_TRANSLATE_NOOP("Phrases", "the radius of an arc is negative"),
+    QT_TRANSLATE_NOOP("Phrases", "Its angle says to which side it bends."),
     QT_TRANSLATE_NOOP("Phrases", "overlap, confidence and segment must be finite numbers"),
     QT_TRANSLATE_NOOP("Phrases", "give a finite number"),
     QT_TRANSLATE_NOOP("Phrases", "an overlap of {} is not possible"),

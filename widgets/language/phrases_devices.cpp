@@ -233,6 +233,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "plug it in to any port"),
     QT_TRANSLATE_NOOP("Phrases", "several ports have the serial number '{}': {} and {}"),
     QT_TRANSLATE_NOOP("Phrases", "name one of them"),
+    QT_TRANSLATE_NOOP("Phrases", "{}={} has a character that divides an address"),
+    QT_TRANSLATE_NOOP("Phrases", "Leave out & ? #."),
     QT_TRANSLATE_NOOP("Phrases", "must be \"{}\""),
     QT_TRANSLATE_NOOP("Phrases", "must name the model"),
     QT_TRANSLATE_NOOP("Phrases", "compare with resources/devices/htm.json"),

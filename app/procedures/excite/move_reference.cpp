@@ -31,6 +31,19 @@ Result<void> need(bool isThere, MoveReference::Shape shape, const char* key) {
                    fmt::format("Add {}=... to the reference.", key));
 }
 
+/// An angle or heading that the shape does not have would be left out unseen.
+Result<void> checkDirections(const MoveReference& reference) {
+    const bool isArc = reference.shape == Arc;
+    const bool hasHeading = isArc || reference.shape == Line;
+    if ((!reference.angle_rad || isArc) && (!reference.heading_rad || hasHeading)) {
+        return {};
+    }
+    return failure(ErrorCode::InvalidInput,
+                   fmt::format("a {} has no {}", moveShapeName(reference.shape),
+                               reference.angle_rad && !isArc ? "angle_deg" : "heading_deg"),
+                   "An arc has angle_deg and heading_deg, a line has heading_deg.");
+}
+
 Result<void> applyPair(MoveReference& reference, std::string_view pair) {
     const std::size_t equals = pair.find('=');
     if (equals == std::string_view::npos || equals == 0 || equals + 1 == pair.size()) {
@@ -101,6 +114,9 @@ Result<MoveReference> parseMoveReference(const std::string& text) {
 
 Result<void> checkMoveReference(const MoveReference& reference) {
     using Shape = MoveReference::Shape;
+    if (auto used = checkDirections(reference); !used) {
+        return used;
+    }
     const bool hasAmplitude = reference.amplitude != 0.0;
     switch (reference.shape) {
     case Shape::Step:

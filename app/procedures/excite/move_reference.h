@@ -47,12 +47,12 @@ struct MoveReference {
     int count = 1;         ///< staircase: steps; multisine and raster: lines; circle: turns
     double base = 0.0;     ///< per second
     std::uint32_t seed = 0;
-    double acceleration = 0.0;             ///< of travels and paths, the largest
-    std::optional<double> jerk = {};       ///< of the S-curve; of a path, whose acceleration else jumps
-    double pitch = 0.0;                    ///< raster: from line to line
-    double angle_rad = 0.0;                ///< of an arc, counter-clockwise
-    double heading_rad = 0.0;              ///< direction in which arc and line begin, from the first axis
-    Quantity quantity = Quantity::Unknown; ///< that the keys were written in
+    double acceleration = 0.0;              ///< of travels and paths, the largest
+    std::optional<double> jerk = {};        ///< of the S-curve; of a path, whose acceleration else jumps
+    double pitch = 0.0;                     ///< raster: from line to line
+    std::optional<double> angle_rad = {};   ///< of an arc, counter-clockwise
+    std::optional<double> heading_rad = {}; ///< direction in which arc and line begin, from the first axis; 0
+    Quantity quantity = Quantity::Unknown;  ///< that the keys were written in
 };
 
 /// "step", "ramp", "sine", "staircase", "chirp", "multisine", "trapezoid", "s-curve", "circle", "raster",

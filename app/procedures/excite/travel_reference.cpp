@@ -84,8 +84,12 @@ Result<void> checkOwnFigures(const MoveReference& reference) {
     if (reference.shape == Shape::Raster && reference.count > 1 && reference.pitch == 0.0) {
         return missing(reference, keyOf(reference, "pitch", ""));
     }
-    if (reference.shape == Shape::Arc && reference.angle_rad == 0.0) {
+    if (reference.shape == Shape::Arc && reference.angle_rad.value_or(0.0) == 0.0) {
         return missing(reference, "angle_deg");
+    }
+    if (reference.shape == Shape::Arc && reference.amplitude < 0.0) {
+        return failure(ErrorCode::InvalidInput, "the radius of an arc is positive",
+                       "The sign of angle_deg says whether it bends to the left (positive) or to the right.");
     }
     return {};
 }
@@ -139,8 +143,8 @@ Result<control::PlanePath> planePath(const MoveReference& reference) {
     config.width = reference.amplitude;
     config.pitch = reference.pitch;
     config.lines = reference.count;
-    config.angle_rad = reference.angle_rad;
-    config.heading_rad = reference.heading_rad;
+    config.angle_rad = reference.angle_rad.value_or(0.0);
+    config.heading_rad = reference.heading_rad.value_or(0.0);
     config.length = reference.amplitude;
     config.limits = limitsOf(reference);
     return control::PlanePath::make(config, LoopPeriod_s);
@@ -196,10 +200,10 @@ std::vector<ParameterValue> pathParameters(const MoveReference& reference) {
             values.push_back({"path.pitch", reference.pitch});
         }
     } else {
-        values.push_back({"path.heading", reference.heading_rad});
+        values.push_back({"path.heading", reference.heading_rad.value_or(0.0)});
     }
     if (reference.shape == Shape::Arc) {
-        values.push_back({"path.angle", reference.angle_rad});
+        values.push_back({"path.angle", reference.angle_rad.value_or(0.0)});
     }
     return values;
 }

@@ -49,7 +49,8 @@ static float pieceLength(const hb_path* path) {
     case HB_PATH_CIRCLE:
         return HB_TWO_PI * fabsf(config->radius) * (float)config->turns;
     case HB_PATH_ARC:
-        return fabsf(config->radius * config->angle);
+        /* The angle says to which side it bends. */
+        return config->radius > 0.0F ? config->radius * fabsf(config->angle) : 0.0F;
     case HB_PATH_LINE:
         return config->length;
     default:

@@ -6,8 +6,8 @@
  *
  *   circle   counter-clockwise, `turns` times; begins where the platen is, with the centre a radius away in
  *            the direction of +x (of -x for a negative radius)
- *   arc      of a radius through `angle`, counter-clockwise where that is positive; begins in the direction
- *            `heading`, counted from +x towards +y
+ *   arc      of a positive radius through `angle`, counter-clockwise where that is positive; begins in the
+ *            direction `heading`, counted from +x towards +y
  *   line     of `length` in the direction `heading`
  *   raster   `lines` lines of `width` along x, forth and back, `pitch` along y between them; rests at every
  *            corner

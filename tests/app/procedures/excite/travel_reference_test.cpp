@@ -27,6 +27,16 @@ TEST(TravelReference, isReadWithItsUnits) {
     EXPECT_NEAR(referenceExcursion(*raster, 10.0), 1e-3, 1e-15);
 }
 
+TEST(TravelReference, refusesAnAngleThatTheShapeDoesNotHave) {
+    const std::string limits = ",rate_mm_s=5,acceleration_m_s2=1";
+    for (const char* unused : {"line,length_mm=5,angle_deg=30", "circle,radius_mm=2,heading_deg=45",
+                               "circle,radius_mm=2,angle_deg=90", "raster,width_mm=2,heading_rad=1",
+                               "step,amplitude_mm=1,angle_deg=5", "arc,radius_mm=-2,angle_deg=90"}) {
+        EXPECT_EQ(parseMoveReference(unused + limits).error().code, ErrorCode::InvalidInput) << unused;
+    }
+    EXPECT_TRUE(parseMoveReference("arc,radius_mm=2,angle_deg=-90,heading_deg=0" + limits));
+}
+
 TEST(TravelReference, saysWhichKeyIsMissing) {
     for (const auto& [text, key] :
          {std::pair{"trapezoid,rate_mm_s=5,acceleration_m_s2=1", "amplitude_m"},

@@ -110,6 +110,8 @@ TEST(TravelMove, refusesBeforeAnythingMoves) {
     EXPECT_EQ(codeOf(travelOf("x", "circle,radius_mm=2" + Limits)), ErrorCode::Usage);
     EXPECT_EQ(codeOf(travelOf("", "circle,radius_mm=30" + Limits)), ErrorCode::OutOfRange); // 60 mm along x
     EXPECT_EQ(codeOf(travelOf("phi", "s-curve,amplitude_mm=1" + Limits)), ErrorCode::InvalidInput);
+    EXPECT_EQ(codeOf(travelOf("", "line,amplitude_deg=0.1,rate_deg_s=1,acceleration_rad_s2=1")),
+              ErrorCode::InvalidInput); // radians are no metres
     MoveConfig tooShort = travelOf("x", "s-curve,amplitude_mm=4" + Limits);
     tooShort.duration_s = 0.2;
     EXPECT_EQ(codeOf(tooShort), ErrorCode::InvalidInput);
