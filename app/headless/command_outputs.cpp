@@ -1,5 +1,6 @@
 #include "app/headless/command_outputs.h"
 
+#include "devices/device_uri.h"
 #include "devices/recording/recording_meta.h"
 
 #include <fmt/format.h>
@@ -27,12 +28,15 @@ bool isSame(const std::string& path, const std::string& other) {
     return fs::equivalent(path, other, missing);
 }
 
-/// What in the value of an option may be a path: all of it, what follows the scheme of an address, and what
-/// an assignment or a query sets.
+/// Possible paths in the value of an option: all of it, the files of a device's address, and what an
+/// assignment sets.
 std::vector<std::string> pathsIn(const std::string& value) {
     std::vector<std::string> paths{value};
-    if (const std::size_t colon = value.find(':'); colon != std::string::npos) {
-        paths.push_back(value.substr(colon + 1, value.find('?', colon) - colon - 1));
+    if (const auto uri = devices::parseDeviceUri(value)) {
+        paths.push_back(uri->address);
+        if (const auto description = uri->option("a2l")) {
+            paths.push_back(devices::fileOfOption(*description));
+        }
     }
     for (std::size_t equals = value.find('='); equals != std::string::npos;
          equals = value.find('=', equals + 1)) {
@@ -42,7 +46,7 @@ std::vector<std::string> pathsIn(const std::string& value) {
     return paths;
 }
 
-/// One of the values is that of the option which names the output.
+/// Removes the value of the option that names the output.
 void removeValueOf(const std::string& output, std::vector<std::string>& values) {
     const auto own = std::find_if(values.begin(), values.end(), [&output](const std::string& value) {
         const std::vector<std::string> paths = pathsIn(value);

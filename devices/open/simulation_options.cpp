@@ -3,6 +3,8 @@
 #include "devices/simulated/registry/simulated_device.h"
 #include "devices/simulated/registry/simulated_models.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace halbench::devices {
@@ -56,6 +58,14 @@ std::string SimulationOptions::address() const {
 }
 
 Result<void> SimulationOptions::check() const {
+    for (const Row& row : m_rows) {
+        if (row.value.find_first_of("&?#") != std::string::npos) {
+            return failure(
+                ErrorCode::InvalidInput,
+                fmt::format("{}={} has a character that divides an address", row.spec.key, row.value),
+                "Leave out & ? #.");
+        }
+    }
     const auto uri = parseDeviceUri(address());
     if (!uri) {
         return failure(uri.error());

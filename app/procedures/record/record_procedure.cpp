@@ -146,21 +146,22 @@ Result<DataQuality> judgeRows(std::size_t found, std::size_t expected, const Row
 // what it still sends is not lost. A recording that cannot be kept ends early.
 Result<void> collect(devices::Device& device, const ProcedureObserver& observer,
                      const StreamRecorder& recorder, const std::function<bool()>& isComplete,
-                     double duration_s) {
+                     const RecordConfig& config) {
     ProcedureObserver watching = observer;
     watching.checkAbort = [&]() -> Result<void> {
         const Result<void> goOn = observer.checkAbort ? observer.checkAbort() : Result<void>();
         return goOn ? recorder.check() : goOn;
     };
-    if (auto waited = waitObserved(device, watching, duration_s, 0.0, 1.0, "records"); !waited) {
+    if (auto waited = waitObserved(device, watching, config.duration_s, 0.0, 1.0, "records"); !waited) {
         return waited;
     }
-    constexpr double Patience_s = 0.2; // while no row comes
+    constexpr double Patience_s = 0.2;                                    // while no row comes,
+    const double patience_s = std::max(Patience_s, 2.0 / config.rate_Hz); // which may be rare
     constexpr double Piece_s = 0.01;
-    const double behind_s = duration_s + Patience_s; // a device at half the pace
+    const double behind_s = config.duration_s + patience_s; // a device at half the pace
     std::size_t rows = recorder.rows();
     double silent_s = 0.0;
-    for (double late_s = 0.0; !isComplete() && silent_s < Patience_s && late_s < behind_s;
+    for (double late_s = 0.0; !isComplete() && silent_s < patience_s && late_s < behind_s;
          late_s += Piece_s) {
         if (auto waited = waitObserved(device, watching, Piece_s, 1.0, 1.0, "records"); !waited) {
             return waited;
@@ -228,7 +229,7 @@ public:
         const auto isComplete = [this, &recorder] {
             return recorder.rows() >= firstRow() + expectedRows() || m_taker.hasEnd(endOfStretch_s());
         };
-        return done ? collect(device, observer, recorder, isComplete, m_config.duration_s) : done;
+        return done ? collect(device, observer, recorder, isComplete, m_config) : done;
     }
     Result<RecordResult> result(const RowLossCause& cause) {
         RecordResult result = m_taker.result();

@@ -39,8 +39,8 @@ public:
     void restore();
     /// The device keeps its gains without power from now on.
     void onSavedInDevice();
-    /// Whether another device than before is connected, looked for, or held while a recording is open; what
-    /// was applied to the former is saved as a design then.
+    /// Saves what was applied to the former device as a design, where another one is connected, looked for,
+    /// or held while a recording is open. Returns whether that is so.
     bool leaveDevice();
 
     bool isApplying() const { return m_isApplying; }

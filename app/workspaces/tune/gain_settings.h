@@ -30,14 +30,14 @@ public:
     Result<GainSource> source() const;
     bool isEdited() const;
     bool isOfDevice() const;
-    /// What stands in the fields of gains and filters. Errors: InvalidInput naming the field.
+    /// Law in the fields of gains and filters. Errors: InvalidInput naming the field.
     Result<LoopLaw> editedLaw() const;
     /// The project's gains that are shown as they are.
     const std::optional<GainsFile>& restored() const { return m_restored; }
 
-    /// Whose presets are offered.
+    /// Offers the presets of the present actuator.
     void refreshModel();
-    /// What the law of the connected device has of weights and filters.
+    /// Offers the weights and filters that the law of the connected device has.
     void refreshDevice();
     void refreshUnits();
     /// Shows a law that the source gave; edited gains stay.

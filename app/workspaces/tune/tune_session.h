@@ -30,7 +30,7 @@ class TuneSession : public QObject {
 public:
     explicit TuneSession(Workbench& bench, QObject* parent = nullptr);
 
-    /// Whose presets and surroundings count: the connected device, else the default actuator.
+    /// Actuator model of presets and conditions: that of the connected device, else the default one.
     std::string model() const;
     const LoopConditions& conditions() const { return m_conditions; }
     /// Takes the conditions of the device or the default actuator, and the gains in `values` as the present

@@ -102,6 +102,8 @@ TEST_F(CommandOutputs, anInputIsNeverOverwrittenEvenWithForce) {
           {"overlay", there("other.csv"), motion, "--signals", "x", "--out", motion},
           {"orient", motion, "--out", motion},
           {"record", "replay:" + motion, "--duration", "1", "--out", motion},
+          {"record", "replay:" + there("run?.csv"), "--duration", "1", "--out", path("run?.csv")},
+          {"identify", "tcp:localhost:5555?a2l=" + path("a%26b.a2l"), "--out", there("a&b.a2l")},
           {"move", "replay:" + motion, "--reference", "step,amplitude_deg=1", "--duration", "1", "--out",
            motion}}) {
         for (const bool isForced : {false, true}) {

@@ -24,7 +24,7 @@ class OptionalNumberEdit;
 namespace halbench::app {
 
 /// Set-point weights, filter on the derivative and filters in series around the gains; whether the connected
-/// device runs them stands above. Behind a button while there is none. What is no number never leaves it.
+/// device runs them stands above. Behind a button while there is none. Gives finite numbers only.
 /// Thread: GUI.
 class FilterEditor : public QWidget {
     Q_OBJECT
@@ -32,7 +32,7 @@ public:
     explicit FilterEditor(QWidget* parent = nullptr);
 
     void setFrequencyUnit(FrequencyUnit unit);
-    /// What the law of the connected device has of it; nothing: no device is connected.
+    /// Weights and filters of the connected device's law; nothing: no device is connected.
     void setOffered(const std::optional<BoardLawSpec>& offered);
     /// Of a law, whose gains are not read; nothing: the board's own.
     void setShaping(const std::optional<control::FilteredLaw>& filtered);
