@@ -2,16 +2,15 @@
 
 #include "app/figures/tuning_figures.h"
 #include "app/procedures/tune/position_law_parameters.h"
-#include "app/workspaces/parts/panel_parts.h"
+#include "app/workspaces/parts/picture_scroll.h"
 #include "app/workspaces/tune/standstill_ripple.h"
 #include "app/workspaces/tune/tune_numbers.h"
 #include "app/workspaces/tune/tune_session.h"
 #include "app/workspaces/tune/what_if_page.h"
 #include "widgets/controls/verdict_view.h"
 #include "widgets/figure/figure_view.h"
+#include "widgets/theme/theme_style.h"
 
-#include <QEvent>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -44,23 +43,15 @@ QString rippleOf(const ApplyResult& verified, double period_s, const DisplayUnit
 } // namespace
 
 VerificationPage::VerificationPage(Workbench& bench, TuneSession& session, QWidget* parent)
-    : QWidget(parent), m_bench(bench), m_session(session), m_agreement(new widgets::VerdictView(this)),
-      m_picture(new widgets::FigureView) {
+    : QWidget(parent), m_bench(bench), m_session(session), m_agreement(new widgets::VerdictView(this)) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(widgets::GridStep_px);
     m_agreement->setObjectName(QStringLiteral("agreement"));
-    m_picture->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // growPicture() says
-    auto* content = new QWidget;
-    auto* below = new QVBoxLayout(content);
-    below->setContentsMargins(0, 0, 0, 0);
-    below->setSpacing(widgets::GridStep_px);
-    below->addWidget(m_picture, 1);
-    m_agreement->moveRemarks(*below);
     column->addWidget(m_agreement);
-    m_room = makeScrollArea(content);
-    m_room->viewport()->installEventFilter(this);
-    column->addWidget(m_room, 1); // three plots want more height than a small screen has
+    auto* scroll = new PictureScroll(*m_agreement, this);
+    m_picture = &scroll->picture();
+    column->addWidget(scroll, 1); // three plots want more height than a small screen has
 }
 
 void VerificationPage::expect(const LoopLaw& law) {
@@ -206,19 +197,9 @@ void VerificationPage::showAgreement(const std::vector<widgets::Remark>& remarks
                             remarks);
 }
 
-/// The picture has all of the page, and the remarks begin at the lower edge.
-void VerificationPage::growPicture() {
-    const int words_px = 2 * fontMetrics().lineSpacing() + 2 * widgets::GridStep_px;
-    m_picture->setMinimumHeight(std::max(0, m_room->viewport()->height() - words_px));
-}
-
-bool VerificationPage::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize) {
-        growPicture();
-    } else if (event->type() == QEvent::Show) {
-        draw(); // the gains may be others by now
-    }
-    return QWidget::eventFilter(watched, event);
+void VerificationPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    draw(); // the gains may be others by now
 }
 
 } // namespace halbench::app

@@ -11,7 +11,6 @@
 #include <optional>
 #include <vector>
 
-class QScrollArea;
 
 namespace halbench::widgets {
 struct Figure;
@@ -56,7 +55,7 @@ Q_SIGNALS:
     void recordReady(); ///< the proposed gains can be asked for with it
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void prepareRecord();
@@ -64,7 +63,6 @@ private:
     bool isReplayDrawn() const;
     void addReplay(widgets::Figure& figure, std::vector<widgets::Remark>& remarks) const;
     void showAgreement(const std::vector<widgets::Remark>& remarks);
-    void growPicture();
 
     Workbench& m_bench;
     TuneSession& m_session;
@@ -76,8 +74,7 @@ private:
     LatestTask m_recalling;           ///< whether the identified loop explains the move
     LatestTask m_replaying;
     widgets::VerdictView* m_agreement; ///< of measured and predicted
-    widgets::FigureView* m_picture;
-    QScrollArea* m_room = nullptr;
+    widgets::FigureView* m_picture = nullptr;
 };
 
 } // namespace halbench::app

@@ -4,7 +4,7 @@
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/procedures/tune/tune.h"
 #include "app/workbench/display_quantity.h"
-#include "app/workspaces/parts/panel_parts.h"
+#include "app/workspaces/parts/picture_scroll.h"
 #include "widgets/controls/empty_state.h"
 #include "widgets/controls/verdict_view.h"
 #include "widgets/figure/figure_view.h"
@@ -16,7 +16,6 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -58,18 +57,11 @@ QWidget* WhatIfPage::buildAnswer() {
     row->addStretch(1);
     m_verdict = new widgets::VerdictView(page);
     m_verdict->setObjectName(QStringLiteral("whatIf"));
-    m_picture = new widgets::FigureView;
-    m_picture->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // growPicture() says
-    auto* content = new QWidget;
-    auto* below = new QVBoxLayout(content);
-    below->setContentsMargins(0, 0, 0, 0);
-    below->setSpacing(widgets::GridStep_px);
-    below->addWidget(m_picture, 1);
-    m_verdict->moveRemarks(*below);
-    m_room = makeScrollArea(content);
+    auto* scroll = new PictureScroll(*m_verdict, page);
+    m_picture = &scroll->picture();
     column->addLayout(row);
     column->addWidget(m_verdict);
-    column->addWidget(m_room, 1);
+    column->addWidget(scroll, 1);
     return page;
 }
 
@@ -252,21 +244,9 @@ std::vector<Remark> WhatIfPage::remarks() const {
     return result;
 }
 
-/// The picture is the answer: it has all of the page, and what is said of it begins at the lower edge.
-void WhatIfPage::growPicture() {
-    const int words_px = 2 * fontMetrics().lineSpacing() + 2 * widgets::GridStep_px;
-    m_picture->setMinimumHeight(std::max(0, m_room->viewport()->height() - words_px));
-}
-
 void WhatIfPage::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    growPicture();
     predict(); // the gains may be others by now
-}
-
-void WhatIfPage::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    growPicture();
 }
 
 void WhatIfPage::changeEvent(QEvent* event) {

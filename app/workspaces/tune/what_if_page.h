@@ -12,7 +12,6 @@
 #include <vector>
 
 class QPushButton;
-class QScrollArea;
 class QStackedWidget;
 
 namespace halbench::widgets {
@@ -51,7 +50,6 @@ Q_SIGNALS:
 
 protected:
     void showEvent(QShowEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
@@ -61,7 +59,6 @@ private:
     void spread();
     bool isOfRan() const;
     QWidget* buildAnswer();
-    void growPicture();
     void refreshWords();
     void draw();
     void showVerdict();
@@ -89,7 +86,6 @@ private:
     QPushButton* m_remove = nullptr;
     widgets::VerdictView* m_verdict = nullptr;
     widgets::FigureView* m_picture = nullptr;
-    QScrollArea* m_room = nullptr;
 };
 
 /// Why a what-if says what it says: figures beside those of the recorded motion, and every finding.
