@@ -35,7 +35,7 @@ void addOtherTiming(TuneResult& result, const Finding& finding);
 /// A finding that is told with the gains and with what is thought of them.
 void addFinding(TuneResult& result, const Finding& finding);
 
-/// What is refused is not written, nor what no board runs. Errors: Refused, with the first finding;
+/// Gains that may be written: not refused, and run by a board. Errors: Refused, with the first finding;
 /// InvalidInput.
 Result<void> checkJudgement(const TuneResult& result);
 

@@ -23,7 +23,7 @@ class QuantityEdit;
 
 namespace halbench::app {
 
-/// What the user may set of an identification.
+/// Settings of an identification.
 class IdentifyForm : public QWidget {
     Q_OBJECT
 public:

@@ -31,7 +31,7 @@ std::vector<widgets::EstimateRow> estimateRows(const IdentifyResult& result);
 /// "Good: ..." in one line.
 QString verdictTitle(const DataQuality& quality);
 
-/// What would supply the constants that could not be identified (resources/help/identification.md section
+/// Remedy for the constants that could not be identified (resources/help/identification.md section
 /// 1); empty when nothing is missing.
 QString missingText(const IdentifyResult& result);
 

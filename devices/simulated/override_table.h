@@ -31,7 +31,7 @@ std::vector<OverrideSpec> overrideSpecs(const Specs& specs, StandardOf standardO
     return all;
 }
 
-/// What an address may change in the parameters of one simulated device. Besides its own keys every device
+/// Parameters of one simulated device that its address may change. Besides its own keys every device
 /// takes `imperfections` (on, off) and `chain` (full, ideal).
 template <typename Parameters>
 struct OverrideTable {

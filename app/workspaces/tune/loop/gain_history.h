@@ -11,7 +11,7 @@
 
 namespace halbench::app {
 
-/// Where the gains of the Tune panel come from, so that they can come from there again.
+/// Origin of the gains of the Tune panel, from which they can be made again.
 struct GainChoice {
     std::string origin; ///< id of TuneForm: a method, a preset, "edited"
     control::DesignTargets targets = {};

@@ -18,7 +18,8 @@ class OptionalNumberEdit;
 
 namespace halbench::app {
 
-/// Where the gains come from: a method with its targets, a shipped preset, the device, the user's edits.
+/// Chooser of the origin of the gains: a method with its targets, a shipped preset, the device, the user's
+/// edits.
 class TuneForm : public QWidget {
     Q_OBJECT
 public:
