@@ -107,7 +107,16 @@ function(halbench_test name)
   halbench_test_parts(${name} "${name}" "${ARG_TIMEOUT}" "${ARG_LABELS}" "GTEST_FILTER=-*Seeds.*")
   add_test(NAME ${name}_seeds COMMAND test_${name} --gtest_brief=1 --gtest_filter=*Seeds.*)
   math(EXPR allowed "16 * ${ARG_TIMEOUT}")
-  set_tests_properties(${name}_seeds PROPERTIES TIMEOUT ${allowed} LABELS statistics)
+  halbench_test_folder(folder ${name}_seeds)
+  set_tests_properties(${name}_seeds PROPERTIES TIMEOUT ${allowed} LABELS statistics ENVIRONMENT "${folder}")
+endfunction()
+
+# Parts of one program run at the same time, as do two builds: each has its own folder for the files it writes
+# (testing::TempDir()), or one part reads what another has just written.
+function(halbench_test_folder environment test)
+  set(folder "${CMAKE_BINARY_DIR}/written/${test}/")
+  file(MAKE_DIRECTORY "${folder}")
+  set(${environment} "TEST_TMPDIR=${folder}" PARENT_SCOPE)
 endfunction()
 
 # halbench_test_parts(gui gui_2x 240 "gui;night" "QT_SCALE_FACTOR=2"): the parts of the program test_gui as tests named
@@ -121,8 +130,9 @@ function(halbench_test_parts name prefix timeout labels environment)
   foreach(part RANGE ${last})
     math(EXPR number "${part} + 1")
     add_test(NAME ${prefix}.${number} COMMAND test_${name} --gtest_brief=1)
+    halbench_test_folder(folder ${prefix}.${number})
     set_tests_properties(${prefix}.${number} PROPERTIES TIMEOUT ${allowed} LABELS "${labels}"
-      ENVIRONMENT "GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${part};${environment}")
+      ENVIRONMENT "GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${part};${folder};${environment}")
   endforeach()
 endfunction()
 
