@@ -72,6 +72,7 @@ struct LinkStatistics {
     std::uint64_t packetsLate = 0; ///< of those, what came behind a later one and was dropped
     std::uint64_t packetsDamaged = 0;
     std::uint64_t commandsRepeated = 0;
+    std::uint64_t returns = 0; ///< how often the device was lost and came back; the counts go on over it
     double roundTripMedian_s = 0.0;
     double roundTripWorst_s = 0.0;
     std::optional<ClockDrift> clockDrift; ///< absent on a simulation's own clock and before some seconds

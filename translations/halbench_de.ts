@@ -9475,10 +9475,6 @@
         <translation>für eine größere Amplitude eine höhere Grunddrehzahl wählen</translation>
     </message>
     <message>
-        <source>check the value and the board&apos;s state; on a link without checksum, such as tcp:, a command that the line damaged is rejected likewise: check the line too</source>
-        <translation>den Wert und den Zustand des Boards prüfen; auf einer Verbindung ohne Prüfsumme, etwa tcp:, wird ein von der Leitung beschädigter Befehl ebenso abgelehnt: auch die Leitung prüfen</translation>
-    </message>
-    <message>
         <source>arc</source>
         <translation>Bogen</translation>
     </message>
@@ -10153,6 +10149,26 @@
     <message>
         <source>The sign of angle_deg says whether it bends to the left (positive) or to the right.</source>
         <translation>Das Vorzeichen von angle_deg sagt, ob er sich nach links (positiv) oder rechts biegt.</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state</source>
+        <translation>den Wert und den Zustand des Boards prüfen</translation>
+    </message>
+    <message>
+        <source>the line has lost or damaged packets (so far {}): check the line, then the value and the board&apos;s state</source>
+        <translation>die Leitung hat Pakete verloren oder beschädigt (bisher {}): die Leitung prüfen, dann den Wert und den Zustand des Boards</translation>
+    </message>
+    <message>
+        <source>the connection was lost once and came back</source>
+        <translation>die Verbindung ging einmal verloren und kam wieder</translation>
+    </message>
+    <message>
+        <source>the connection was lost {} times and came back</source>
+        <translation>die Verbindung ging {}-mal verloren und kam wieder</translation>
+    </message>
+    <message>
+        <source>check the cable, the plug and the power of the device</source>
+        <translation>Kabel, Stecker und Versorgung des Geräts prüfen</translation>
     </message>
 </context>
 <context>

@@ -9475,10 +9475,6 @@
         <translation>如需更大的幅值，请选择更高的基础转速</translation>
     </message>
     <message>
-        <source>check the value and the board&apos;s state; on a link without checksum, such as tcp:, a command that the line damaged is rejected likewise: check the line too</source>
-        <translation>检查该值和控制板的状态；在没有校验和的连接（如 tcp:）上，被线路损坏的命令同样会被拒绝：也请检查线路</translation>
-    </message>
-    <message>
         <source>arc</source>
         <translation>圆弧</translation>
     </message>
@@ -10153,6 +10149,26 @@
     <message>
         <source>The sign of angle_deg says whether it bends to the left (positive) or to the right.</source>
         <translation>angle_deg 的符号决定向左（正）或向右弯曲。</translation>
+    </message>
+    <message>
+        <source>check the value and the board&apos;s state</source>
+        <translation>检查该值和控制板的状态</translation>
+    </message>
+    <message>
+        <source>the line has lost or damaged packets (so far {}): check the line, then the value and the board&apos;s state</source>
+        <translation>线路丢失或损坏过数据包（至今 {} 个）：先检查线路，再检查该值和控制板的状态</translation>
+    </message>
+    <message>
+        <source>the connection was lost once and came back</source>
+        <translation>连接中断过一次后恢复</translation>
+    </message>
+    <message>
+        <source>the connection was lost {} times and came back</source>
+        <translation>连接中断过 {} 次后恢复</translation>
+    </message>
+    <message>
+        <source>check the cable, the plug and the power of the device</source>
+        <translation>检查设备的电缆、插头和电源</translation>
     </message>
 </context>
 <context>

@@ -89,10 +89,13 @@ Result<void> refuseEmptyValues(const CLI::App& app) {
     return {};
 }
 
-/// What was given to the options and arguments of a command.
+/// What was given to the options and arguments of a command, but for free text, which names no file.
 std::vector<std::string> valuesOf(const CLI::App& command) {
     std::vector<std::string> values;
     for (const CLI::Option* option : command.get_options()) {
+        if (option->get_type_name() == "TEXT") {
+            continue;
+        }
         values.insert(values.end(), option->results().begin(), option->results().end());
     }
     return values;

@@ -21,11 +21,27 @@ double snapped(double time_s, double rate_Hz) {
     return std::abs(time_s * rate_Hz - place) < GridRounding ? place / rate_Hz : time_s;
 }
 
+/// What was counted by several links one after the other; times are those of the last.
+LinkStatistics withEarlier(LinkStatistics now, const LinkStatistics& earlier) {
+    now.packetsReceived += earlier.packetsReceived;
+    now.packetsSent += earlier.packetsSent;
+    now.packetsLost += earlier.packetsLost;
+    now.packetsLate += earlier.packetsLate;
+    now.packetsDamaged += earlier.packetsDamaged;
+    now.commandsRepeated += earlier.commandsRepeated;
+    now.returns += earlier.returns;
+    return now;
+}
+
 } // namespace
 
 ReturningDevice::ReturningDevice(std::unique_ptr<Device> device, DeviceReturn back, HostTime time)
     : m_device(std::move(device)), m_info(m_device->info()), m_catalogue(m_device->catalogue()),
       m_return(std::move(back)), m_time(std::move(time)), m_clock(*this) {}
+
+LinkStatistics ReturningDevice::statistics() const {
+    return withEarlier(m_device->statistics(), m_earlier);
+}
 
 Result<std::vector<double>> ReturningDevice::readParameters(std::span<const std::string> names) {
     return m_device->readParameters(names);
@@ -123,6 +139,8 @@ Result<void> ReturningDevice::takeBack(std::unique_ptr<Device> device) {
     }
     const double outage_s = m_time.now_s() - m_lostHost_s;
     m_start_s = now_s() - device->clock().now_s();
+    m_earlier = statistics();
+    ++m_earlier.returns;
     m_device = std::move(device);
     m_lost.reset();
     const double stream_s = now_s() - m_streamStart_s;

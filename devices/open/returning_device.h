@@ -38,7 +38,7 @@ public:
     const Catalogue& catalogue() const override { return m_catalogue; }
     Clock& clock() override { return m_clock; }
     DeviceState state() const override { return m_device->state(); }
-    LinkStatistics statistics() const override { return m_device->statistics(); }
+    LinkStatistics statistics() const override;
     Result<std::vector<double>> readParameters(std::span<const std::string> names) override;
     Result<std::vector<double>> readSignals(std::span<const std::string> names) override;
     Result<void> writeParameters(std::span<const ParameterValue> values) override;
@@ -80,6 +80,7 @@ private:
     std::optional<Error> m_lost;
     double m_start_s = 0.0;    ///< of the device's clock since the first was opened
     double m_lostHost_s = 0.0; ///< when it was lost
+    LinkStatistics m_earlier;  ///< of the links before this one
 
     StreamRequest m_request; ///< no signals: nothing streams
     BlockSink m_sink;

@@ -32,6 +32,17 @@ Trouble trouble(TroubleCause cause, ErrorCode code, std::string message, std::st
     return {cause, 0, {code, std::move(message), std::move(hint)}};
 }
 
+/// A command that the line damaged is rejected like a wrong one: a line that has spoiled something is the
+/// first suspect, one that has not is none.
+std::string hintOfRefusal(std::uint64_t troublesSeen) {
+    return troublesSeen == 0
+               ? "check the value and the board's state"
+               : fmt::format(
+                     "the line has lost or damaged packets (so far {}): check the line, then the value "
+                     "and the board's state",
+                     troublesSeen);
+}
+
 } // namespace
 
 bool isBusy(std::uint8_t slaveError) {
@@ -131,6 +142,11 @@ Reply<Packet> XcpLink::exchange(const Packet& command, double patience_s) {
     return reply;
 }
 
+std::uint64_t XcpLink::troublesSeen() const {
+    const TransportStatistics wire = m_transport->statistics();
+    return wire.packetsDamaged + wire.packetsLost + m_repeated;
+}
+
 Reply<Packet> XcpLink::nextResponse(std::uint8_t command) {
     return awaitAnswer(command, m_transport->now_s() + timeout_s());
 }
@@ -167,8 +183,7 @@ Reply<Packet> XcpLink::awaitAnswer(std::uint8_t command, double deadline_s) {
             Trouble refused =
                 trouble(TroubleCause::Slave, ErrorCode::DeviceRefused,
                         fmt::format("the device rejected {}: {}", commandName(command), slaveErrorText(code)),
-                        "check the value and the board's state; on a link without checksum, such as tcp:, a "
-                        "command that the line damaged is rejected likewise: check the line too");
+                        hintOfRefusal(troublesSeen()));
             refused.slaveError = code;
             return tl::unexpected(std::move(refused));
         }

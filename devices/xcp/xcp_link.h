@@ -111,6 +111,8 @@ public:
     double roundTripWorst_s() const { return m_worstRoundTrip_s; }
 
 private:
+    /// Packets that were damaged or lost, and commands that were repeated, since the link was opened.
+    std::uint64_t troublesSeen() const;
     Reply<Packet> awaitAnswer(std::uint8_t command, double deadline_s);
     Reply<bool> receive(double timeout_s);
     Result<void> sendNow(const Packet& command);

@@ -20,6 +20,13 @@ RowLossCause causeOfRowLoss(const devices::LinkStatistics& before, const devices
     const double received = counted(before.packetsReceived, after.packetsReceived);
     const double lost = counted(before.packetsLost, after.packetsLost);
     const double damaged = counted(before.packetsDamaged, after.packetsDamaged);
+    if (after.returns > before.returns) { // the rows of the outage are most of those that are missing
+        return {after.returns - before.returns == 1
+                    ? "the connection was lost once and came back"
+                    : fmt::format("the connection was lost {} times and came back",
+                                  after.returns - before.returns),
+                "check the cable, the plug and the power of the device"};
+    }
     if (damaged > 0.0) { // what is damaged is missing in the counter too
         return {fmt::format("{:.2g} % of the frames were damaged on the line",
                             1e2 * damaged / (received + damaged)),

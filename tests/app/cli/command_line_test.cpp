@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 namespace halbench::app {
 
 TEST(CommandLineTest, globalFlagsStandBeforeOrAfterTheCommand) {
@@ -41,6 +43,18 @@ TEST(CommandLineTest, everyLineHasOptionsOfItsOwn) {
     ASSERT_TRUE(first && second);
     EXPECT_EQ(first->outputs.files, (std::vector<std::string>{"a.svg"}));
     EXPECT_EQ(second->outputs.files, (std::vector<std::string>{"b.svg"}));
+}
+
+TEST(CommandLineTest, aTitleNamesNoFile) {
+    const std::string data = testing::TempDir() + "drawn.csv";
+    const std::string picture = testing::TempDir() + "drawn.svg";
+    for (const std::string& file : {data, picture}) { // the picture is there since an earlier run
+        std::ofstream(file) << "time_s\n";
+    }
+    const Result<CommandLine> line =
+        parseCommandLine({"plot", data, "--title", picture, "--out", picture, "--force"});
+    ASSERT_TRUE(line) << line.error().message;
+    EXPECT_EQ(line->outputs.inputs, (std::vector<std::string>{data}));
 }
 
 TEST(CommandLineTest, withoutArgumentsItIsHelp) {

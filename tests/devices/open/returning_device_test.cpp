@@ -63,6 +63,19 @@ TEST_F(ReturningDeviceTest, rowsAfterAnOutageLieOnTheGridAndWhatIsMissingIsCount
     EXPECT_FALSE(device->lost());
 }
 
+TEST_F(ReturningDeviceTest, countsOfTheLinkGoOnOverAnOutage) {
+    motor.faults().unplugAt_s = device->clock().now_s() + 2.0;
+    mended_s = 1003.0;
+    ASSERT_TRUE(record(1.5));
+    const LinkStatistics before = device->statistics();
+    EXPECT_EQ(before.returns, 0U);
+    ASSERT_TRUE(device->clock().waitFor(6.0));
+    const LinkStatistics after = device->statistics();
+    EXPECT_EQ(after.returns, 1U);
+    EXPECT_GT(after.packetsReceived, before.packetsReceived + 50U) << "rows of both links are counted";
+    EXPECT_GT(after.packetsSent, before.packetsSent);
+}
+
 TEST_F(ReturningDeviceTest, timeGoesOnWithoutTheDeviceAndWhyIsKnown) {
     mended_s = 1e9;
     motor.faults().isUnplugged = true;

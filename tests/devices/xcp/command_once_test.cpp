@@ -210,9 +210,20 @@ TEST(CommandOnceRefused, aRefusalIsToldAsItIs) {
         const auto started = bench.write("reference.start", 1.0); // not armed
         ASSERT_FALSE(started);
         EXPECT_EQ(started.error().code, ErrorCode::DeviceRefused);
-        // octets that a line without checksum damaged make the same answer, so the hint names both causes
-        EXPECT_NE(started.error().hint.find("state"), std::string::npos) << started.error().hint;
-        EXPECT_NE(started.error().hint.find("damaged"), std::string::npos) << started.error().hint;
+        EXPECT_EQ(started.error().hint, "check the value and the board's state") << "the line was good";
+    }
+}
+
+TEST(CommandOnceRefused, aLineThatSpoiledSomethingIsASuspectToo) {
+    for (const Loss loss : {Loss::Command, Loss::Answer}) {
+        Bench bench = openBench(Firmware::Now);
+        bench.line->isMeant = writeTo(bench.live(offsetof(hb_htm_live, capture.start)));
+        bench.line->loss = loss;
+        ASSERT_TRUE(bench.write("capture.start", 1.0));
+        const auto started = bench.write("reference.start", 1.0); // not armed
+        ASSERT_FALSE(started);
+        EXPECT_EQ(started.error().hint, "the line has lost or damaged packets (so far 1): check the line, "
+                                        "then the value and the board's state");
     }
 }
 

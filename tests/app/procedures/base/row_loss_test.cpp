@@ -40,6 +40,20 @@ TEST(RowLoss, aLinkThatCameBackMeanwhileCountsAnew) {
               "10 % of the packets were lost, none was damaged");
 }
 
+TEST(RowLoss, anOutageIsNamedBeforeWhatTheLinkCounted) {
+    auto after = counted(1960, 70, 27);
+    after.returns = 1;
+    EXPECT_EQ(causeOfRowLoss(counted(1000, 50, 7), after).words,
+              "the connection was lost once and came back");
+    after.returns = 3;
+    const RowLossCause several = causeOfRowLoss(counted(1000, 50, 7), after);
+    EXPECT_EQ(several.words, "the connection was lost 3 times and came back");
+    EXPECT_NE(several.remedy.find("plug"), std::string::npos);
+    auto before = counted(1000, 50, 7);
+    before.returns = 3; // all of them earlier
+    EXPECT_EQ(causeOfRowLoss(before, after).words, "2 % of the frames were damaged on the line");
+}
+
 TEST(RowLoss, isNamedInAnErrorWithItsRemedy) {
     const Error torn{ErrorCode::Refused, "rows are missing", "measure again"};
     const Error named = withCause(torn, {"2 % of the frames were damaged on the line", "shorten the cable"});
