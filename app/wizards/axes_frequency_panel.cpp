@@ -1,6 +1,7 @@
 #include "app/wizards/axes_frequency_panel.h"
 
 #include "app/documents/axes_frequency_documents.h"
+#include "app/documents/result_header.h"
 #include "app/figures/axes_frequency_figures.h"
 #include "app/procedures/base/axis_choice.h"
 #include "app/wizards/axes_frequency_text.h"

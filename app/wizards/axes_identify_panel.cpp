@@ -2,6 +2,7 @@
 
 #include "app/actuators/actuator.h"
 #include "app/documents/result_documents.h"
+#include "app/documents/result_header.h"
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/doubtful_source.h"
 #include "app/wizards/axes_identify_text.h"

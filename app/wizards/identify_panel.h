@@ -2,6 +2,7 @@
 
 #include "app/wizards/live_plateaus.h"
 #include "app/wizards/wizard_panel.h"
+#include "app/workbench/shared_results.h"
 
 #include <QElapsedTimer>
 #include <QTimer>

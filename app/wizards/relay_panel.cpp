@@ -10,6 +10,7 @@
 #include "app/wizards/relay_text.h"
 #include "app/wizards/result_text.h"
 #include "app/wizards/words_and_pictures.h"
+#include "app/workbench/shared_results.h"
 #include "widgets/controls/estimate_table.h"
 #include "widgets/figure/figure_view.h"
 #include "widgets/theme/icons.h"

@@ -1,5 +1,6 @@
 #include "app/wizards/wizard_panel.h"
 
+#include "app/documents/result_header.h"
 #include "app/documents/text/numbers.h"
 #include "app/workbench/departure_text.h"
 #include "app/workbench/document_files.h"

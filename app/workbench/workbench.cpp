@@ -6,6 +6,7 @@
 #include "app/workbench/drive_control.h"
 #include "app/workbench/piecewise_reading.h"
 #include "app/workbench/recording_trigger.h"
+#include "app/workbench/shared_results.h"
 #include "app/workbench/shown_recording.h"
 #include "app/workbench/signals/reference_mask.h"
 #include "devices/history/page_file.h"
@@ -51,7 +52,8 @@ QString deviceKey(const devices::DeviceInfo& info) {
 }
 
 Workbench::Workbench(QObject* parent)
-    : QObject(parent), m_history(HistoryBudget_bytes), m_drive(std::make_unique<DriveControl>(*this)),
+    : QObject(parent), m_history(HistoryBudget_bytes), m_results(std::make_unique<SharedResults>()),
+      m_drive(std::make_unique<DriveControl>(*this)),
       m_recordingTrigger(std::make_unique<RecordingTrigger>(*this)),
       m_shownRecording(std::make_unique<ShownRecording>(*this)) {
     connect(&m_session, &DeviceSession::stateChanged, this, &Workbench::onSessionState);
@@ -339,36 +341,60 @@ void Workbench::setStrayInterval95_T_per_A(std::optional<std::pair<double, doubl
     }
 }
 
+const std::optional<IdentifyResult>& Workbench::identification() const {
+    return m_results->identification;
+}
+
+const Provenance& Workbench::provenance() const {
+    return m_results->provenance;
+}
+
+const std::optional<TuneResult>& Workbench::design() const {
+    return m_results->design;
+}
+
+bool Workbench::isDesignFromProject() const {
+    return m_results->isDesignFromProject;
+}
+
+const ResultHeader& Workbench::designHeader() const {
+    return m_results->designHeader;
+}
+
+void Workbench::setIdentification(std::optional<IdentifyResult> result) {
+    setIdentification(std::move(result), {});
+}
+
 void Workbench::setIdentification(std::optional<IdentifyResult> result, Provenance provenance) {
-    m_identification = std::move(result);
-    m_provenance = std::move(provenance);
-    if (!m_identification) {
-        m_design.reset();
-        m_isDesignFromProject = false;
+    m_results->identification = std::move(result);
+    m_results->provenance = std::move(provenance);
+    if (!m_results->identification) {
+        m_results->design.reset();
+        m_results->isDesignFromProject = false;
     }
     identificationChanged();
 }
 
 void Workbench::setDesign(std::optional<TuneResult> design) {
     // The same design found anew, after values were read, is as old as it was.
-    if (design && !(m_design && isSameDesign(*design, *m_design))) {
-        m_designHeader = beginResult("halbench.gains/1");
-        m_designHeader.device = m_provenance.header.device;
+    if (design && !(m_results->design && isSameDesign(*design, *m_results->design))) {
+        m_results->designHeader = beginResult("halbench.gains/1");
+        m_results->designHeader.device = m_results->provenance.header.device;
     }
-    m_design = std::move(design);
-    m_isDesignFromProject = false;
+    m_results->design = std::move(design);
+    m_results->isDesignFromProject = false;
     designChanged();
 }
 
 void Workbench::setDesignOfProject(TuneResult design, const std::string& started) {
-    m_designHeader = ResultHeader();
-    m_designHeader.schema = "halbench.gains/1";
-    m_designHeader.device = m_provenance.header.device;
+    m_results->designHeader = ResultHeader();
+    m_results->designHeader.schema = "halbench.gains/1";
+    m_results->designHeader.device = m_results->provenance.header.device;
     if (!started.empty()) {
-        m_designHeader.started = started;
+        m_results->designHeader.started = started;
     }
-    m_design = std::move(design);
-    m_isDesignFromProject = true;
+    m_results->design = std::move(design);
+    m_results->isDesignFromProject = true;
     designChanged();
 }
 

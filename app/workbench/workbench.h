@@ -1,8 +1,5 @@
 #pragma once
 
-#include "app/documents/result_header.h"
-#include "app/procedures/identify/identify_procedure.h"
-#include "app/procedures/tune/tune.h"
 #include "app/session/device_session.h"
 #include "app/workbench/display_quantity.h"
 #include "app/workbench/freshness.h"
@@ -32,15 +29,11 @@ namespace halbench::app {
 class DriveControl;
 class RecordingTrigger;
 class ShownRecording;
-
-/// Source of a result: a run of this window, a file or the project.
-enum class ResultOrigin { Measured, File, Project };
-
-/// What is said beside a result: device, firmware, time, software version; and where it came from.
-struct Provenance {
-    ResultHeader header;
-    ResultOrigin origin = ResultOrigin::Measured;
-};
+struct IdentifyResult;
+struct Provenance;
+struct ResultHeader;
+struct SharedResults;
+struct TuneResult;
 
 /// A setting that is not what it was before its device was lost.
 struct ValueDifference {
@@ -145,19 +138,21 @@ public:
                                     std::vector<Finding> doubts = {});
     const std::vector<Finding>& calibrationDoubts() const { return m_calibrationDoubts; }
 
-    const std::optional<IdentifyResult>& identification() const { return m_identification; }
+    // Types of the results: app/workbench/shared_results.h.
+    const std::optional<IdentifyResult>& identification() const;
     /// Of the identification; it stays beside it.
-    const Provenance& provenance() const { return m_provenance; }
+    const Provenance& provenance() const;
     /// Without a motor there is no design either.
-    void setIdentification(std::optional<IdentifyResult> result, Provenance provenance = {});
-    const std::optional<TuneResult>& design() const { return m_design; }
+    void setIdentification(std::optional<IdentifyResult> result);
+    void setIdentification(std::optional<IdentifyResult> result, Provenance provenance);
+    const std::optional<TuneResult>& design() const;
     /// Gains that came with the project, until others are chosen.
-    bool isDesignFromProject() const { return m_isDesignFromProject; }
+    bool isDesignFromProject() const;
     void setDesign(std::optional<TuneResult> design);
     /// One that came with the project, made at the time that it says.
     void setDesignOfProject(TuneResult design, const std::string& started);
     /// Of the design: when it was made, for whose motor.
-    const ResultHeader& designHeader() const { return m_designHeader; }
+    const ResultHeader& designHeader() const;
 
 Q_SIGNALS:
     void deviceChanged(); ///< connected, lost or gone
@@ -202,11 +197,7 @@ private:
     DisplayUnits m_displayUnits;
     std::optional<std::pair<double, double>> m_strayInterval95_T_per_A;
     std::vector<Finding> m_calibrationDoubts;
-    std::optional<IdentifyResult> m_identification;
-    Provenance m_provenance;
-    std::optional<TuneResult> m_design;
-    bool m_isDesignFromProject = false;
-    ResultHeader m_designHeader;
+    std::unique_ptr<SharedResults> m_results;
     WallClock m_wallClock = wallClock;
     Pace m_pace;
     bool m_isCurrentDriven = false;

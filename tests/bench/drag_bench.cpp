@@ -3,6 +3,7 @@
 #include "app/documents/model_file.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/json_value.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/loop/loop_view.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "app/workspaces/tune/tune_question.h"

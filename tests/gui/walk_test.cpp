@@ -5,6 +5,7 @@
 #include "app/wizards/calibrate_panel.h"
 #include "app/workbench/drive_control.h"
 #include "app/workbench/recording_control.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/parts/page_chooser.h"
 #include "app/workspaces/recordings/import_view.h"
 #include "app/workspaces/tune/loop/filter_editor.h"

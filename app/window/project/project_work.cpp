@@ -5,6 +5,7 @@
 #include "app/documents/result_documents.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/tune_panel.h"
 #include "control/base/assert.h"
 #include "widgets/language/phrasebook.h"

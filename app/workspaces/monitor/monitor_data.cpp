@@ -1,5 +1,6 @@
 #include "app/workspaces/monitor/monitor_data.h"
 
+#include "app/documents/result_header.h"
 #include "app/workspaces/monitor/plot_rows.h"
 #include "devices/formats/convert_recording.h"
 #include "devices/recording/recording_csv.h"

@@ -1,6 +1,7 @@
 #include "app/workspaces/parts/foreign_motor_notice.h"
 
 #include "app/documents/result_header.h"
+#include "app/workbench/shared_results.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme_style.h"

@@ -1,5 +1,6 @@
 #include "app/workspaces/recordings/import_view.h"
 
+#include "app/documents/result_header.h"
 #include "app/workbench/recording_control.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/recordings/import_form.h"

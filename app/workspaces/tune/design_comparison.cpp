@@ -1,6 +1,7 @@
 #include "app/workspaces/tune/design_comparison.h"
 
 #include "app/documents/result_documents.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/design_table.h"
 #include "app/workspaces/tune/tune_session.h"
 #include "control/base/assert.h"

@@ -4,6 +4,7 @@
 #include "app/procedures/apply/live_apply_procedure.h"
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/workbench/departure_text.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/design_comparison.h"
 #include "app/workspaces/tune/tune_messages.h"
 #include "app/workspaces/tune/tune_session.h"

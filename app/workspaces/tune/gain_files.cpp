@@ -5,6 +5,7 @@
 #include "app/documents/result_documents.h"
 #include "app/tuning/gains_judgement.h"
 #include "app/workbench/document_files.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/tune_session.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/language/phrasebook.h"

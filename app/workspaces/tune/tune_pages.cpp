@@ -1,5 +1,6 @@
 #include "app/workspaces/tune/tune_pages.h"
 
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/axes/axis_tune_panel.h"
 #include "widgets/controls/empty_state.h"
 

@@ -1,6 +1,7 @@
 #include "app/workspaces/tune/tune_panel.h"
 
 #include "app/workbench/document_files.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/parts/foreign_motor_notice.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "app/workspaces/parts/preflight.h"

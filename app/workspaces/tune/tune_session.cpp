@@ -2,6 +2,7 @@
 
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/tuning/loop_conditions.h"
+#include "app/workbench/shared_results.h"
 
 #include <utility>
 

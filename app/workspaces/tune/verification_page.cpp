@@ -2,6 +2,7 @@
 
 #include "app/figures/tuning_figures.h"
 #include "app/procedures/tune/position_law_parameters.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/parts/picture_scroll.h"
 #include "app/workspaces/tune/standstill_ripple.h"
 #include "app/workspaces/tune/tune_numbers.h"

@@ -4,6 +4,7 @@
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/procedures/tune/tune.h"
 #include "app/workbench/display_quantity.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/parts/picture_scroll.h"
 #include "widgets/controls/empty_state.h"
 #include "widgets/controls/verdict_view.h"

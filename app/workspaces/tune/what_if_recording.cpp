@@ -1,5 +1,6 @@
 #include "app/workspaces/tune/what_if_recording.h"
 
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/tune_messages.h"
 #include "app/workspaces/tune/tune_session.h"
 #include "app/workspaces/tune/what_if_page.h"

@@ -2,6 +2,7 @@
 #include "app/window/file_dialogs.h"
 #include "app/window/panel_connections.h"
 #include "app/wizards/frequency_panel.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/recordings/recordings_panel.h"
 #include "app/workspaces/tune/axes/axis_tune_panel.h"
 #include "app/workspaces/tune/tune_panel.h"

@@ -1,5 +1,6 @@
 #include "app/wizards/identify_form.h"
 #include "app/wizards/identify_panel.h"
+#include "app/workbench/shared_results.h"
 #include "app/workbench/wall_clock.h"
 #include "app/workspaces/device/pace_row.h"
 #include "app/workspaces/parts/preflight.h"

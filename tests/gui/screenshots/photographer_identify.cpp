@@ -1,4 +1,5 @@
 #include "app/window/docks/dock_layout.h"
+#include "app/workbench/shared_results.h"
 #include "tests/gui/screenshots/photographer.h"
 
 #include <QTabWidget>

@@ -1,4 +1,5 @@
 #include "app/window/docks/dock_layout.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/parts/page_chooser.h"
 #include "app/workspaces/tune/loop/design_names.h"
 #include "app/workspaces/tune/loop/loop_view.h"

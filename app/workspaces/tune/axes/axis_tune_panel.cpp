@@ -1,5 +1,6 @@
 #include "app/workspaces/tune/axes/axis_tune_panel.h"
 
+#include "app/documents/result_header.h"
 #include "app/figures/axis_figures.h"
 #include "app/workbench/departure_text.h"
 #include "app/workspaces/parts/page_chooser.h"

@@ -1,5 +1,6 @@
 #include "app/procedures/move/move_procedure.h"
 #include "app/window/docks/dock_layout.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/parts/preflight.h"
 #include "devices/formats/recording_file.h"
 #include "devices/open/open_device.h"

@@ -1,5 +1,6 @@
 #include "app/window/docks/dock_layout.h"
 #include "app/workbench/drive_control.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/device/device_panel.h"
 #include "app/workspaces/monitor/monitor_panel.h"
 #include "devices/formats/recording_file.h"

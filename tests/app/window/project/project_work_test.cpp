@@ -2,6 +2,7 @@
 #include "app/window/docks/dock_layout.h"
 #include "app/window/project/project_file.h"
 #include "app/wizards/identify_panel.h"
+#include "app/workbench/shared_results.h"
 #include "app/workbench/wall_clock.h"
 #include "app/workspaces/tune/loop/gain_editor.h"
 #include "app/workspaces/tune/loop/tune_form.h"

@@ -1,4 +1,5 @@
 #include "app/documents/result_documents.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/design_comparison.h"
 #include "app/workspaces/tune/design_table.h"
 #include "app/workspaces/tune/tune_session.h"

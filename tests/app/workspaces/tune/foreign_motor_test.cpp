@@ -1,4 +1,5 @@
 // Gains of another motor than the one that is connected.
+#include "app/workbench/shared_results.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 
 namespace halbench::app {

@@ -1,3 +1,4 @@
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/gain_settings.h"
 #include "app/workspaces/tune/loop/loop_sliders.h"
 #include "app/workspaces/tune/loop/loop_view.h"

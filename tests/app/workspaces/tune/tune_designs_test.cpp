@@ -1,3 +1,4 @@
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/design_table.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 

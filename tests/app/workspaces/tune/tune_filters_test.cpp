@@ -1,5 +1,6 @@
 // Gains with weights and filters in the Tune panel: shown, kept, compared, written, applied.
 #include "app/documents/filtered_gains.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/design_table.h"
 #include "app/workspaces/tune/loop/filter_editor.h"
 #include "app/workspaces/tune/loop/loop_view.h"

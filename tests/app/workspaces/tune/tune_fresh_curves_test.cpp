@@ -1,5 +1,6 @@
 // No curve of before: what is kept between two predictions is not kept beyond what it is of.
 #include "app/documents/result_documents.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/loop/loop_view.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 

@@ -1,5 +1,6 @@
 #include "app/documents/result_documents.h"
 #include "app/documents/text/output_file.h"
+#include "app/workbench/shared_results.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 

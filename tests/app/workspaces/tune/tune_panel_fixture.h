@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/documents/model_file.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/parts/preflight.h"
 #include "app/workspaces/tune/loop/tune_form.h"
 #include "app/workspaces/tune/tune_numbers.h"

@@ -1,3 +1,4 @@
+#include "app/workbench/shared_results.h"
 #include "tests/app/workspaces/tune/axes/axis_model_fixture.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 

@@ -4,6 +4,7 @@
 #include "app/headless/recording_file.h"
 #include "app/tuning/loop_conditions.h"
 #include "app/tuning/what_if_report.h"
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/what_if_page.h"
 #include "tests/app/procedures/simulated_motor.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"

@@ -1,6 +1,7 @@
 // The verification move has a second route: the headless program, with all imperfections of the motor.
 #include "app/documents/result_documents.h"
 #include "app/documents/text/json_value.h"
+#include "app/workbench/shared_results.h"
 #include "control/base/units.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 

@@ -1,3 +1,4 @@
+#include "app/workbench/shared_results.h"
 #include "app/workspaces/tune/tune_session.h"
 #include "tests/app/workspaces/panel_fixture.h"
 #include "tests/app/workspaces/published_motor.h"

@@ -1,4 +1,5 @@
 // Gains that go onto the device in small steps.
+#include "app/workbench/shared_results.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 
 namespace halbench::app {

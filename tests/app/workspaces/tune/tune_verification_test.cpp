@@ -1,4 +1,5 @@
 // A verification is of one device and of one motor.
+#include "app/workbench/shared_results.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 
 #include <QScrollArea>

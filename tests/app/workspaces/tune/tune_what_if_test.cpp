@@ -1,4 +1,5 @@
 // A verification move as it would have been with other gains.
+#include "app/workbench/shared_results.h"
 #include "tests/app/workspaces/tune/tune_panel_fixture.h"
 
 namespace halbench::app {
