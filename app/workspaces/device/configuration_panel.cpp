@@ -1,5 +1,6 @@
 #include "app/workspaces/device/configuration_panel.h"
 
+#include "app/documents/result_header.h"
 #include "app/documents/text/output_file.h"
 #include "app/workbench/wall_clock.h"
 #include "app/workspaces/device/configuration_table.h"
