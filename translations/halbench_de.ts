@@ -20656,6 +20656,10 @@ Hall B
         <source>simulated truth: α %1°, β %2°, γ %3°; error %4°</source>
         <translation>simulierte Wahrheit: α %1°, β %2°, γ %3°; Fehler %4°</translation>
     </message>
+    <message>
+        <source>changes to another orientation with the same field: %1</source>
+        <translation>Wechsel zu einer anderen Orientierung mit demselben Feld: %1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::FileDrop</name>

@@ -20641,6 +20641,10 @@ Hall B
         <source>simulated truth: α %1°, β %2°, γ %3°; error %4°</source>
         <translation>仿真真值：α %1°，β %2°，γ %3°；误差 %4°</translation>
     </message>
+    <message>
+        <source>changes to another orientation with the same field: %1</source>
+        <translation>切换到磁场相同的另一姿态的次数：%1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::FileDrop</name>

@@ -93,7 +93,7 @@ Result<void> refuseEmptyValues(const CLI::App& app) {
 std::vector<std::string> valuesOf(const CLI::App& command) {
     std::vector<std::string> values;
     for (const CLI::Option* option : command.get_options()) {
-        if (option->get_type_name() == "TEXT") {
+        if (option->get_type_name() == "TITLE") {
             continue;
         }
         values.insert(values.end(), option->results().begin(), option->results().end());

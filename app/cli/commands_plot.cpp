@@ -141,7 +141,7 @@ void addOptions(CommandSyntax& syntax, PlotOptions& options) {
     syntax.option("--to", options.to, "Last time", "S");
     syntax.option("--right", options.right, "Those on the right axis of the panel of the signal before them",
                   "A,B");
-    syntax.option("--title", options.title, "Instead of the file's name", "TEXT");
+    syntax.option("--title", options.title, "Instead of the file's name", "TITLE");
     addDerive(syntax, options.derived);
 }
 

@@ -2,8 +2,9 @@
 
 #include "control/base/units.h"
 #include "models/spherical/orientation.h"
+#include "models/spherical/tensor_system.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/QR>
 #include <cmath>
 
 namespace halbench::models {
@@ -60,12 +61,13 @@ CalibrationRemainder assemblyRemainder(const SphericalCalibration& nominal,
     return remainder;
 }
 
-RemainingError::RemainingError(const SphericalCalibration& calibration, CalibrationRemainder remainder)
-    : m_calibration(calibration), m_remainder(std::move(remainder)) {}
+RemainingError::RemainingError(const SphericalCalibration& calibration, CalibrationRemainder remainder,
+                               bool hasUniformField)
+    : m_calibration(calibration), m_remainder(std::move(remainder)), m_hasUniformField(hasUniformField) {}
 
 Eigen::Matrix<double, 3, 9> RemainingError::sensitivity(const CalibrationPrediction& prediction,
                                                         const Eigen::Matrix3d& rotation) const {
-    Eigen::Matrix<double, 9, 4> slope;
+    Eigen::Matrix<double, 9, 7> slope;
     slope.leftCols<3>() = prediction.byRotation;
     // With the strength the whole field grows.
     SphericalCalibration plain = m_calibration;
@@ -74,9 +76,12 @@ Eigen::Matrix<double, 3, 9> RemainingError::sensitivity(const CalibrationPredict
     }
     plain.coil_T_per_A.setZero();
     slope.col(3) = CalibrationModel(plain, {}).at(rotation, {}).readings_T / plain.field.strength_T;
-    const Eigen::Matrix4d normal = slope.transpose() * slope;
-    const Eigen::Matrix<double, 4, 9> all = normal.ldlt().solve(slope.transpose());
-    return all.topRows<3>();
+    slope.rightCols<3>().setZero();
+    if (m_hasUniformField) {
+        slope.rightCols<3>() = uniformFieldDesign(sensingOf(m_calibration, 1.0).poses);
+    }
+    const Eigen::Index unknowns = m_hasUniformField ? 7 : 4;
+    return slope.leftCols(unknowns).completeOrthogonalDecomposition().pseudoInverse().topRows<3>();
 }
 
 Eigen::Matrix3d RemainingError::covariance_rad2(const Eigen::Matrix3d& rotation) const {

@@ -27,10 +27,12 @@ CalibrationRemainder assemblyRemainder(const SphericalCalibration& nominal,
 
 /// Effect of a remainder on the orientation that all nine channels give with a free strength. To first order
 /// the rotation errs by -G J e, e the errors of the unknowns, J the readings' derivative by them, G the
-/// pseudo-inverse of their derivative by rotation and strength.
+/// pseudo-inverse of their derivative by rotation and strength, and by a uniform field where that is unknown
+/// too: three more unknowns for the same nine readings, so that each error counts for much more.
 class RemainingError {
 public:
-    RemainingError(const SphericalCalibration& calibration, CalibrationRemainder remainder);
+    RemainingError(const SphericalCalibration& calibration, CalibrationRemainder remainder,
+                   bool hasUniformField = false);
 
     /// G J C J^T G^T: of the rotation vector in stator axes.
     Eigen::Matrix3d covariance_rad2(const Eigen::Matrix3d& rotation) const;
@@ -44,6 +46,7 @@ private:
 
     SphericalCalibration m_calibration;
     CalibrationRemainder m_remainder;
+    bool m_hasUniformField = false;
 };
 
 } // namespace halbench::models

@@ -110,6 +110,14 @@ SensingBoard notedSensingBoard(const std::vector<ParameterValue>& noted) {
     return sensingBoard(ordered);
 }
 
+double meanRadius_m(const SensingBoard& board) {
+    double sum_m = 0.0;
+    for (const models::SensorCalibration& sensor : board.calibration.sensors) {
+        sum_m += sensor.pose.position_m.norm();
+    }
+    return sum_m / static_cast<double>(board.calibration.sensors.size());
+}
+
 Result<SensingBoard> readSensingBoard(devices::Device& device) {
     const auto values = device.readParameters(sensingParameters());
     return values ? Result<SensingBoard>(sensingBoard(*values)) : failure(values.error());

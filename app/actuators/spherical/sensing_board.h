@@ -21,6 +21,9 @@ struct SensingBoard {
 /// The parameters of the board that make up its calibration.
 std::vector<std::string> sensingParameters();
 
+/// Of the sensors from the centre.
+double meanRadius_m(const SensingBoard& board);
+
 /// Errors: of the device.
 Result<SensingBoard> readSensingBoard(devices::Device& device);
 /// From values in the order of sensingParameters().

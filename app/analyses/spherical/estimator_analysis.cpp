@@ -86,7 +86,7 @@ Result<EstimatorSetup> setupOf(const AnalysisValues& values, const devices::Reco
     config.sensing.field.strength_T = choice->device.strength_T;
     config.sensing.field.harmonics = models::harmonicPreset(
         static_cast<models::HarmonicPreset>(choiceIndex(HarmonicNames, values.text("harmonics"))));
-    config.additive = {choice->device.strength_T, choice->placement};
+    config.additive = models::additiveModelOf(choice->device, choice->placement);
     config.poses = static_cast<ComparedPoses>(choiceIndex(ComparedPosesNames, values.text("poses")));
     config.count = static_cast<int>(values.numberOr("count", config.count));
     config.spin_rad = degreesToRadians(values.numberOr("spin_deg", 0.0));

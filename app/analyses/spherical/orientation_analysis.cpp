@@ -30,6 +30,15 @@ constexpr std::size_t RowsBetweenQuestions = 256;
 constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
 /// Nearer to a wrong pose than this: an error of the branch, not of the noise.
 constexpr double BranchLimit_rad = 0.17453292519943295;
+/// Half of the published workspace: a cone as wide says nothing about the shaft.
+constexpr double UselessCone_rad = 0.25 * Pi;
+/// Errors of the tensor, over its size, that an uncertain stray field may make: up to the first the errors of
+/// the orientation are small angles, beyond the second the start of the fit lies near another pose.
+constexpr double SmallTensorError_ratio = 0.1;
+constexpr double LargeTensorError_ratio = 0.3;
+/// The additive model explains its own readings to their noise, those of an exact device to a tenth and
+/// worse.
+constexpr double MisfitLimit_ratio = 0.05;
 
 /// One row of the result.
 struct OrientedPose {
@@ -39,7 +48,8 @@ struct OrientedPose {
     models::ShaftDirection shaft;
     models::AngleIntervals interval;
     double cone_rad = Missing;
-    double error_rad = Missing; ///< against the truth, modulo the symmetry of the rotor
+    double misfit_ratio = Missing; ///< of an additive estimate: residuals over readings, both rms
+    double error_rad = Missing;    ///< against the truth, modulo the symmetry of the rotor
 
     bool isOriented() const {
         return estimate.verdict == OrientationVerdict::Determined ||
@@ -52,6 +62,7 @@ struct Orientation {
     PlacementChoice choice;
     std::optional<OrientationConfidence> confidence;
     OrientationReadings readings;
+    double tensorError_ratio = 0.0; ///< with a stray field as an unknown: rms along its weakest direction
     std::vector<OrientedPose> poses;
 
     bool isTensor() const { return kind <= models::EstimatorKind::LevenbergMarquardt; }
@@ -109,7 +120,15 @@ void finish(OrientedPose& pose) {
 
 using PoseSolver = std::function<OrientedPose(std::size_t row)>;
 
-Result<PoseSolver> tensorSolver(const AnalysisValues& values, const Orientation& work) {
+/// Errors of the readings over the smallest singular value: by so much the tensor errs where it and a uniform
+/// field are hardest to tell apart.
+double tensorErrorWithStray_ratio(const models::SphericalSensing& sensing,
+                                  const OrientationConfidence& sensors) {
+    const double error_T = sensors.deviation_T() * std::sqrt(1.0 + sensors.errorShare());
+    return error_T / models::TensorSystem(sensing).smallestSingularValue() / sensing.field.strength_T;
+}
+
+Result<PoseSolver> tensorSolver(const AnalysisValues& values, Orientation& work) {
     models::OrientationConfig config;
     config.method = static_cast<models::OrientationMethod>(static_cast<int>(work.kind));
     const models::SphericalSensing sensing = sensingFrom(values, work);
@@ -121,6 +140,8 @@ Result<PoseSolver> tensorSolver(const AnalysisValues& values, const Orientation&
     if (!estimator) {
         return failure(estimator.error());
     }
+    work.tensorError_ratio =
+        sensing.hasUniformField ? tensorErrorWithStray_ratio(sensing, *work.confidence) : 0.0;
     const double possible = config.chiSquareLimit * config.possibleLimit_ratio;
     return PoseSolver([estimator = *std::move(estimator), possible, &work](std::size_t row) {
         OrientedPose pose;
@@ -143,19 +164,24 @@ Result<PoseSolver> tensorSolver(const AnalysisValues& values, const Orientation&
 Result<PoseSolver> additiveSolver(const AnalysisValues& values, const Orientation& work) {
     models::AnyEstimatorConfig config;
     config.kind = work.kind;
-    config.additive = {work.choice.device.strength_T, work.choice.placement};
+    config.additive = models::additiveModelOf(work.choice.device, work.choice.placement);
     config.seed = static_cast<std::uint64_t>(values.numberOr("rng_seed", 1.0));
     auto estimator = models::makeAnyEstimator(config);
     if (!estimator) {
         return failure(estimator.error());
     }
-    return PoseSolver([estimator = *std::move(estimator), &work](std::size_t row) {
+    return PoseSolver([estimator = *std::move(estimator), model = config.additive, &work](std::size_t row) {
         OrientedPose pose;
         if (work.readings.used[row] == models::AllChannels) {
-            const std::optional<Eigen::Matrix3d> found = estimator(work.readings.readings_T[row]);
+            const models::SphericalReadings& readings_T = work.readings.readings_T[row];
+            const std::optional<Eigen::Matrix3d> found = estimator(readings_T);
             pose.estimate.verdict = found ? OrientationVerdict::Determined : OrientationVerdict::NotConverged;
             pose.estimate.rotation = found.value_or(Eigen::Matrix3d::Identity());
             pose.estimate.strength_T = work.choice.device.strength_T;
+            pose.misfit_ratio =
+                (models::additiveReadings_T(model, models::anglesOf(pose.estimate.rotation)) - readings_T)
+                    .norm() /
+                readings_T.norm();
         }
         return pose;
     });
@@ -418,6 +444,55 @@ void noteSaturation(const Orientation& work, Note note) {
     }
 }
 
+/// Poses that the truth contradicts: no residual shows a sign or a frame that is wrong for all readings
+/// alike.
+template <typename Note>
+void noteTruth(const Orientation& work, Note note) {
+    const auto error = ofPoses(work, [](const OrientedPose& pose) { return pose.error_rad; });
+    const auto wrong = static_cast<std::size_t>(
+        std::count_if(error.begin(), error.end(), [](double e) { return e > BranchLimit_rad; }));
+    if (wrong == 0) {
+        return;
+    }
+    const bool areMost = 2 * wrong > error.size();
+    const bool areReversed = std::abs(percentile(error, 0.5) - 0.5 * Pi) < BranchLimit_rad;
+    note(areMost ? Verdict::Refused : Verdict::Doubtful, "disagrees_with_truth",
+         fmt::format("{} of {} poses differ from the true ones by more than {:.0f} degrees", wrong,
+                     error.size(), radiansToDegrees(BranchLimit_rad)),
+         areReversed
+             ? "half a turn of the field lies between them: check the sign of the readings"
+             : "check placement, frames, radius and the names of the readings and of the true angles");
+}
+
+/// Estimates that say less than they seem to.
+template <typename Note>
+void noteUncertain(const Orientation& work, Note note) {
+    const double cone_rad =
+        percentile(ofPoses(work, [](const OrientedPose& pose) { return pose.cone_rad; }), 0.5);
+    if (cone_rad > BranchLimit_rad) {
+        note(cone_rad > UselessCone_rad ? Verdict::Refused : Verdict::Doubtful, "orientation_uncertain",
+             fmt::format("the 95 % cone of the shaft is {:.0f} degrees wide to each side",
+                         radiansToDegrees(cone_rad)),
+             "calibrate the sensors, or use another placement");
+    }
+    if (work.tensorError_ratio > SmallTensorError_ratio) {
+        note(work.tensorError_ratio > LargeTensorError_ratio ? Verdict::Refused : Verdict::Doubtful,
+             "stray_field_not_separable",
+             fmt::format("errors of the sensors become {:.0f} % of the rotor's field where a stray field is "
+                         "estimated too",
+                         1e2 * work.tensorError_ratio),
+             "calibrate the sensors first, or leave --stray out");
+    }
+    const double misfit_ratio =
+        percentile(ofPoses(work, [](const OrientedPose& pose) { return pose.misfit_ratio; }), 0.5);
+    if (misfit_ratio > MisfitLimit_ratio) {
+        note(
+            Verdict::Doubtful, "additive_model_does_not_fit",
+            fmt::format("the additive model leaves {:.0f} % of the readings unexplained", 1e2 * misfit_ratio),
+            "check placement and radius, or use the estimator 'refined' for a real device");
+    }
+}
+
 DataQuality qualityOf(const Orientation& work) {
     DataQuality quality;
     const auto note = [&](Verdict verdict, const char* code, std::string message, std::string hint) {
@@ -464,6 +539,8 @@ DataQuality qualityOf(const Orientation& work) {
     if (work.readings.saturation_T) {
         noteSaturation(work, note);
     }
+    noteUncertain(work, note);
+    noteTruth(work, note);
     const auto chi = ofPoses(work, [](const OrientedPose& pose) {
         return pose.hasUncertainty && pose.estimate.freedom > 0
                    ? pose.estimate.chiSquare / pose.estimate.freedom

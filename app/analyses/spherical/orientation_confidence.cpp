@@ -88,7 +88,8 @@ Result<OrientationConfidence> OrientationConfidence::make(const AnalysisValues& 
     confidence.m_deviation_T = noiseChoice_T(values);
     if (values.text("tolerance") != "none") {
         confidence.m_remaining.emplace(confidence.m_calibration,
-                                       models::assemblyRemainder(confidence.m_calibration, {}));
+                                       models::assemblyRemainder(confidence.m_calibration, {}),
+                                       values.isSet("stray"));
         confidence.m_tolerance_T = confidence.m_remaining->readingDeviation_T();
     }
     return confidence;

@@ -88,14 +88,6 @@ Result<models::SensorTriple> namedPlacement(const std::string& text) {
     return isList || parseNumber(splitList(text)[0]) ? anglesOf(text) : fileOf(text);
 }
 
-double meanRadius_m(const SensingBoard& board) {
-    double sum_m = 0.0;
-    for (const models::SensorCalibration& sensor : board.calibration.sensors) {
-        sum_m += sensor.pose.position_m.norm();
-    }
-    return sum_m / static_cast<double>(board.calibration.sensors.size());
-}
-
 } // namespace
 
 models::CoverageModel PlacementChoice::coverageModel() const {

@@ -102,7 +102,7 @@ void searchPose(const models::AngleModel& model, const Eigen::Matrix3d& truth, R
 
 Result<void> searchAll(const AnalysisValues& values, const AnalysisControl& control, Convergence& work) {
     const models::AngleModel model =
-        models::angleModel(models::AdditiveModel{work.choice.device.strength_T, work.choice.placement});
+        models::angleModel(models::additiveModelOf(work.choice.device, work.choice.placement));
     Random random(static_cast<std::uint64_t>(values.numberOr("rng_seed", 1.0)));
     const auto trajectory = static_cast<int>(values.numberOr("trajectory", 3.0));
     const double spin_rad = degreesToRadians(values.numberOr("spin_deg", 20.0));

@@ -14,6 +14,18 @@ namespace {
 
 constexpr const char* Hint = "First line: time_s,alpha_deg,beta_deg,gamma_deg (or ..._rad); then numbers.";
 
+/// As spreadsheets save it: a mark of the encoding before the first line, CR at the end of each.
+std::string withoutEnds(std::string line) {
+    constexpr std::string_view Mark = "\xEF\xBB\xBF";
+    if (line.starts_with(Mark)) {
+        line.erase(0, Mark.size());
+    }
+    if (line.ends_with('\r')) {
+        line.pop_back();
+    }
+    return line;
+}
+
 Result<std::array<double, 4>> rowOf(const std::string& line, const std::string& place) {
     std::array<double, 4> row{};
     const char* at = line.data();
@@ -40,9 +52,7 @@ Result<std::vector<models::TimedOrientation>> readPoseTable(const std::string& p
     if (!file || !std::getline(file, line)) {
         return failure(ErrorCode::FileSystem, fmt::format("cannot read the poses '{}'", path), Hint);
     }
-    if (!line.empty() && line.back() == '\r') {
-        line.pop_back();
-    }
+    line = withoutEnds(line);
     const bool isRadian = line == "time_s,alpha_rad,beta_rad,gamma_rad";
     if (!isRadian && line != "time_s,alpha_deg,beta_deg,gamma_deg") {
         return failure(ErrorCode::InvalidInput, fmt::format("{}:1: not the columns of a motion", path), Hint);
@@ -51,6 +61,9 @@ Result<std::vector<models::TimedOrientation>> readPoseTable(const std::string& p
     std::vector<models::TimedOrientation> poses;
     for (std::size_t number = 2; std::getline(file, line); ++number) {
         const std::string place = fmt::format("{}:{}", path, number);
+        if (withoutEnds(line).empty()) { // editors leave one at the end
+            continue;
+        }
         const auto row = rowOf(line, place);
         if (!row) {
             return failure(row.error());

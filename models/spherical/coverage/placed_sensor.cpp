@@ -38,9 +38,13 @@ SensorSpin PlacedSensor::spin(const Tilt& tilt) const {
             additiveReadings_T(model, {tilt.alpha_rad, tilt.beta_rad, 0.25 * Pi}).head<3>()};
 }
 
+AdditiveModel additiveModelOf(const PlacementDevice& device, const SensorTriple& placement) {
+    return {strengthAt_T(device), placement};
+}
+
 CoverageModel coverageModelOf(const PlacementDevice& device, const SensorTriple& placement) {
     if (device.device == SphericalDevice::Additive) {
-        return CoverageModel(AdditiveModel{strengthAt_T(device), placement});
+        return CoverageModel(additiveModelOf(device, placement));
     }
     return CoverageModel({device.strength_T, ReferenceRadius_m, {}},
                          sensorPoses(placement, device.frames, device.radius_m));

@@ -41,6 +41,9 @@ private:
     double m_scale_T = 0.0;
 };
 
+/// The additive model of the device: its strength is that at the sensors, q (50 mm / r)^4.
+AdditiveModel additiveModelOf(const PlacementDevice& device, const SensorTriple& placement);
+
 /// The three placed sensors for coverage maps and proofs.
 CoverageModel coverageModelOf(const PlacementDevice& device, const SensorTriple& placement);
 

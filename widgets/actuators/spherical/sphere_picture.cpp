@@ -88,6 +88,9 @@ void SpherePicture::showSamples(const ActuatorValues& values) {
         return;
     }
     const bool isHeld = values.signal("orientation.fresh").value_or(1.0) < 0.5;
+    if (!isHeld) {
+        countImages(*rotation);
+    }
     const bool isDoubtful = (static_cast<int>(value("integrity")) & ResidualFlag) != 0;
     m_view->setOrientation(*rotation, value("shaft.cone95"),
                            isHeld       ? SphereVerdict::Held
@@ -99,6 +102,14 @@ void SpherePicture::showSamples(const ActuatorValues& values) {
     }
     m_view->setReadings(readings_T);
     describe(values, *rotation);
+}
+
+/// The device shows the one with its shaft up: as the rotor turns past that limit, the shown pose jumps.
+void SpherePicture::countImages(const Eigen::Matrix3d& rotation) {
+    constexpr double Rounding = 1e-3;
+    const bool isOther = m_last && (models::nearestImage(rotation, *m_last) - rotation).norm() > Rounding;
+    m_imageChanges += isOther ? 1 : 0;
+    m_last = rotation;
 }
 
 void SpherePicture::describe(const ActuatorValues& values, const Eigen::Matrix3d& rotation) {
@@ -113,6 +124,10 @@ void SpherePicture::describe(const ActuatorValues& values, const Eigen::Matrix3d
         QLatin1Char('\n') + tr("q %1 mT, chi-square %2, 95 % cone ±%3°")
                                 .arg(fixedText(1e3 * values.signal("strength").value_or(0.0), 2),
                                      fixedText(values.signal("chi_square"), 1), degrees("shaft.cone95"));
+    if (m_imageChanges > 0) {
+        m_numbers += QLatin1Char('\n') +
+                     tr("changes to another orientation with the same field: %1").arg(m_imageChanges);
+    }
     showTruth(truthOf(values), rotation);
 }
 
@@ -138,6 +153,8 @@ void SpherePicture::setStale(bool isStale) {
 void SpherePicture::clear() {
     m_view->clear();
     m_numbers.clear();
+    m_last.reset();
+    m_imageChanges = 0;
 }
 
 ActuatorPicture::Drawing SpherePicture::drawing() const {

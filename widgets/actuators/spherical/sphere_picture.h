@@ -25,10 +25,13 @@ public:
 
 private:
     void describe(const ActuatorValues& values, const Eigen::Matrix3d& rotation);
+    void countImages(const Eigen::Matrix3d& rotation);
     void showTruth(const std::optional<Eigen::Matrix3d>& truth, const Eigen::Matrix3d& rotation);
 
     SphereView* m_view;
     QString m_numbers;
+    std::optional<Eigen::Matrix3d> m_last; ///< that the readings determined
+    int m_imageChanges = 0; ///< of four orientations with the same field the device shows another one
 };
 
 ActuatorView sphereActuatorView();

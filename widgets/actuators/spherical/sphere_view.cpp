@@ -270,6 +270,10 @@ void SphereView::drawShaft(QPainter& painter, const Theme& theme, const Sight& s
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(theme.muted, 1.0));
     for (std::size_t i = 1; i < m_path.size(); ++i) {
+        // A shaft that is suddenly on the other side is another of the orientations with the same field.
+        if (m_path[i - 1].dot(m_path[i]) < 0.0) {
+            continue;
+        }
         if (sight.isHidden(m_path[i]) != isInFront) {
             painter.drawLine(sight.at(ShaftLength * m_path[i - 1]), sight.at(ShaftLength * m_path[i]));
         }
@@ -305,7 +309,9 @@ void SphereView::drawWanted(QPainter& painter, const Theme& theme, const Sight& 
     painter.setPen(Qt::NoPen);
     for (const SphereWanted& wanted : m_wanted) {
         if (sight.isHidden(wanted.direction) != areInFront) {
-            painter.setBrush(mixed(theme.good, theme.warn, std::clamp(wanted.share, 0.0, 1.0)));
+            painter.setBrush(wanted.isFailing
+                                 ? theme.bad
+                                 : mixed(theme.good, theme.warn, std::clamp(wanted.share, 0.0, 1.0)));
             const double radius = LeastDot_px + MoreDot_px * std::clamp(wanted.share, 0.0, 1.0);
             painter.drawEllipse(sight.at(ShaftLength * wanted.direction), radius, radius);
         }

@@ -31,10 +31,11 @@ enum class SphereVerdict {
     Held      ///< the readings determine none: the last one
 };
 
-/// A direction of the shaft and how much data with it are wanted: 0 ... 1.
+/// A direction of the shaft and how much data with it are wanted, or how much of it fails: 0 ... 1.
 struct SphereWanted {
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
     double share = 0.0;
+    bool isFailing = false; ///< drawn in the colour of an error, however small the share
 };
 
 /// A spherical rotor in its stator from any side: poles in two colours, shaft with its 95 % cone and the way

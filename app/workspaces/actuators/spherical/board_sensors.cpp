@@ -48,7 +48,6 @@ models::SphericalSensing sensingOf(const SensingBoard& board) {
 
 QString sensorsInWords(const SensingBoard& board) {
     QStringList places;
-    double radius_m = 0.0;
     for (std::size_t i = 0; i < board.placement.size(); ++i) {
         const models::PlacementAngles& angles = board.placement[i];
         const auto degrees = [](double angle_rad) {
@@ -56,11 +55,10 @@ QString sensorsInWords(const SensingBoard& board) {
         };
         places << QStringLiteral("(%1, %2, %3)°")
                       .arg(degrees(angles.alpha_rad), degrees(angles.beta_rad), degrees(angles.gamma_rad));
-        radius_m += board.calibration.sensors[i].pose.position_m.norm() / 3.0;
     }
     return QCoreApplication::translate("halbench::app::EstimatorPanel",
                                        "Sensors at %1, %2 mm from the centre; q %3 mT")
-        .arg(places.join(QStringLiteral(", ")), widgets::numberText(1e3 * radius_m, 4),
+        .arg(places.join(QStringLiteral(", ")), widgets::numberText(1e3 * meanRadius_m(board), 4),
              widgets::numberText(1e3 * board.calibration.field.strength_T, 4));
 }
 

@@ -5,6 +5,7 @@
 #include "app/workspaces/parts/compact_table.h"
 #include "app/workspaces/parts/field_grid.h"
 #include "control/base/units.h"
+#include "models/spherical/coverage/placed_sensor.h"
 #include "widgets/controls/floating_rows.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/progress_row.h"
@@ -237,7 +238,10 @@ EstimatorComparisonConfig EstimatorPanel::config() const {
     EstimatorComparisonConfig config;
     config.device = static_cast<models::SphericalDevice>(m_device->currentIndex());
     config.sensing = sensingOf(board);
-    config.additive = {board.calibration.field.strength_T, board.placement};
+    models::PlacementDevice placed;
+    placed.radius_m = meanRadius_m(board);
+    placed.strength_T = board.calibration.field.strength_T;
+    config.additive = models::additiveModelOf(placed, board.placement);
     config.poses = poses();
     config.spin_rad = degreesToRadians(m_spin->value());
     config.count = static_cast<int>(std::lround(m_count->value()));

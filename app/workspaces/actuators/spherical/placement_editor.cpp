@@ -161,8 +161,8 @@ void PlacementEditor::showUncovered(const std::vector<UncoveredShaft>& shafts) {
     std::vector<widgets::SphereWanted> dots;
     for (const UncoveredShaft& shaft : shafts) {
         // The area of a dot grows with the share of the spins.
-        dots.push_back(
-            {models::rotationOf({shaft.alpha_rad, shaft.beta_rad, 0.0}).col(2), std::sqrt(shaft.share)});
+        dots.push_back({models::rotationOf({shaft.alpha_rad, shaft.beta_rad, 0.0}).col(2),
+                        std::sqrt(shaft.share), true});
     }
     m_view->setWanted(std::move(dots));
 }

@@ -167,6 +167,13 @@ TEST(SimulatedSphericalTest, motionComesFromAFileOfPoses) {
     EXPECT_NEAR(sphere.signals().orientation.angle_rad[0], degreesToRadians(15.0), 1e-5);
     std::ofstream(path) << "time_s,alpha_deg,beta_deg,gamma_deg\n0,0,0,0\n0,30,0,x\n";
     EXPECT_THAT(messageOf("sim:spherical?poses=" + path), testing::HasSubstr(":3"));
+    // As a spreadsheet saves the same motion.
+    std::ofstream(path) << "\xEF\xBB\xBFtime_s,alpha_deg,beta_deg,gamma_deg\r\n0,0,0,0\r\n1,30,0,0\r\n\r\n\n";
+    Sphere saved("chain=ideal&poses=" + path);
+    saved.board().advanceTo(0.5);
+    EXPECT_NEAR(saved.signals().orientation.angle_rad[0], degreesToRadians(15.0), 1e-5);
+    std::ofstream(path) << "time_s,alpha_deg,beta_deg,gamma_deg\n\n\n";
+    EXPECT_THAT(messageOf("sim:spherical?poses=" + path), testing::HasSubstr("no poses"));
     std::remove(path.c_str());
 }
 

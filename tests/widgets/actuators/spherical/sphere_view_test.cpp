@@ -74,6 +74,46 @@ TEST_F(SphereViewTest, wantedDirectionsAreDotsInTheColourOfAWarning) {
     EXPECT_EQ(warnings(), none);
 }
 
+// However few of its spins fail.
+TEST_F(SphereViewTest, failingDirectionsAreDotsInTheColourOfAnError) {
+    const auto errors = [this] {
+        const QImage image = drawn(view);
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                count += image.pixel(x, y) == currentTheme().bad.rgb();
+            }
+        }
+        return count;
+    };
+    view.setSight(0.0, Pi / 2.0);
+    const int none = errors();
+    view.setWanted({{Eigen::Vector3d::UnitZ(), 0.1, true}});
+    EXPECT_GT(errors(), none + 5);
+}
+
+// The pose changes to another with the same field: its shaft did not go through the ball.
+TEST_F(SphereViewTest, thePathHasNoLineToTheOtherSide) {
+    const auto pathPixels = [this](double secondTilt_rad) {
+        view.clear();
+        view.setSight(0.0, 0.0); // from X: both tips at the rim, far from each other
+        view.setOrientation(turned(0.45 * Pi, Eigen::Vector3d::UnitX()), 0.0, SphereVerdict::Fresh);
+        view.setOrientation(turned(secondTilt_rad, Eigen::Vector3d::UnitX()), 0.0, SphereVerdict::Fresh);
+        const QImage with = drawn(view);
+        view.clearPath();
+        const QImage without = drawn(view);
+        int different = 0;
+        for (int y = 0; y < with.height(); ++y) {
+            for (int x = 0; x < with.width(); ++x) {
+                different += with.pixel(x, y) != without.pixel(x, y);
+            }
+        }
+        return different;
+    };
+    EXPECT_GT(pathPixels(0.0), 20) << "a quarter of a turn is a way";
+    EXPECT_EQ(pathPixels(-0.45 * Pi), 0);
+}
+
 TEST_F(SphereViewTest, aRotorWithTheSameFieldLooksTheSame) {
     view.setOrientation(turned(0.4, Eigen::Vector3d::UnitX()), 0.0, SphereVerdict::Fresh);
     view.clearPath();
@@ -120,6 +160,34 @@ TEST_F(SphereViewTest, theTruthIsTheNearestOrientationWithTheSameField) {
     picture.showSamples({found, found});
     EXPECT_TRUE(picture.numbers().contains("simulated truth: α 1.00°, β 0.00°, γ 0.00°; error 1.00°"))
         << picture.numbers().toStdString();
+}
+
+// A device shows gamma between -90 and 90 degrees: a rotor that turns past it seems to jump.
+TEST_F(SphereViewTest, aJumpToAnotherOrientationWithTheSameFieldIsSaid) {
+    SpherePicture picture;
+    const auto show = [&picture](double gamma_deg, double isFresh = 1.0) {
+        const double half_rad = 0.5 * degreesToRadians(gamma_deg);
+        const std::map<std::string, double> signals = {{"orientation.w", std::cos(half_rad)},
+                                                       {"orientation.x", 0.0},
+                                                       {"orientation.y", 0.0},
+                                                       {"orientation.z", std::sin(half_rad)},
+                                                       {"orientation.fresh", isFresh}};
+        const auto found = [&signals](const std::string& role) {
+            const auto at = signals.find(role);
+            return at == signals.end() ? std::nullopt : std::optional(at->second);
+        };
+        picture.showSamples({found, found});
+        return picture.numbers();
+    };
+    for (const double gamma_deg : {60.0, 75.0, 89.0}) {
+        EXPECT_FALSE(show(gamma_deg).contains("same field")) << gamma_deg;
+    }
+    EXPECT_FALSE(show(-89.0, 0.0).contains("same field")) << "held, not determined";
+    EXPECT_TRUE(show(-89.0).contains("changes to another orientation with the same field: 1"));
+    EXPECT_TRUE(show(-80.0).contains("same field: 1")) << "said until the picture is cleared";
+    EXPECT_TRUE(show(89.0).contains("same field: 2"));
+    picture.clear();
+    EXPECT_FALSE(show(-89.0).contains("same field"));
 }
 
 TEST_F(SphereViewTest, keysTurnThePictureAndHomeTurnsItBack) {

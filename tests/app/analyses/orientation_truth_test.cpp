@@ -1,0 +1,118 @@
+#include "models/spherical/additive_model.h"
+#include "tests/app/analyses/recorded_poses.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+namespace halbench::app {
+namespace {
+
+/// Readings of the additive device whose sensors are `radius_m` from the centre, without noise: the field
+/// falls with the fourth power of the distance.
+devices::RecordedFile additivePoses(int rows, double radius_m) {
+    devices::RecordedFile file = recordedPoses(rows, 0.0);
+    models::AdditiveModel model;
+    model.strength_T *= std::pow(0.05 / radius_m, 4);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
+        double* values = &file.recording.values[12 * row];
+        const models::SphericalReadings readings_T =
+            models::additiveReadings_T(model, {values[9], values[10], values[11]});
+        std::copy(readings_T.begin(), readings_T.end(), values);
+    }
+    return file;
+}
+
+/// All nine readings, as with sensors or a rotor that are turned round.
+devices::RecordedFile reversed(devices::RecordedFile file) {
+    for (std::size_t i = 0; i < file.recording.values.size(); ++i) {
+        file.recording.values[i] *= i % 12 < 9 ? -1.0 : 1.0;
+    }
+    return file;
+}
+
+const Finding* finding(const AnalysisOutcome& outcome, const char* code) {
+    const auto& all = outcome.quality.findings;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [code](const Finding& f) { return f.code == code; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+// The closed form solves the additive model exactly: rounding alone is left, whatever the distance.
+TEST(OrientationTruthTest, additiveEstimatorsHoldAtAnyDistance) {
+    for (const char* radius_mm : {"47", "50", "60", "85.5"}) {
+        const devices::RecordedFile file = additivePoses(200, std::stod(radius_mm) / 1e3);
+        for (const char* estimator : {"closed", "closed-fitted"}) {
+            const auto result =
+                run("orient", {{"estimator", estimator}, {"radius_mm", radius_mm}}, {{"truth", true}}, &file);
+            ASSERT_TRUE(result) << result.error().message;
+            EXPECT_LT(number(result->body, {"truth", "worst_deg"}), 1e-4) << radius_mm << estimator;
+            EXPECT_EQ(result->quality.verdict, Verdict::Good) << radius_mm << estimator;
+        }
+    }
+}
+
+// The same estimators compared: 60 mm is as good as 50 mm, where nothing is noisy.
+TEST(OrientationTruthTest, comparedEstimatorsHoldAtAnyDistance) {
+    for (const char* radius_mm : {"50", "60"}) {
+        const auto result = run(
+            "estimators",
+            {{"device", "paper"}, {"radius_mm", radius_mm}, {"only", "closed-fitted"}, {"count", "100"}}, {});
+        ASSERT_TRUE(result) << result.error().message;
+        const JsonValue* rows = result->body.find("estimators");
+        ASSERT_NE(rows, nullptr);
+        EXPECT_EQ(number(rows->items().front(), {"failures"}), 0.0) << radius_mm;
+    }
+}
+
+TEST(OrientationTruthTest, anAdditiveEstimatorThatDoesNotFitIsNotGood) {
+    const devices::RecordedFile exact = recordedPoses(200, 0.0);
+    const auto crossed = run("orient", {{"estimator", "closed"}}, {}, &exact);
+    ASSERT_TRUE(crossed);
+    EXPECT_EQ(crossed->quality.verdict, Verdict::Doubtful);
+    EXPECT_NE(finding(*crossed, "additive_model_does_not_fit"), nullptr);
+    const devices::RecordedFile farther = additivePoses(200, 0.06); // believed at 50 mm
+    const auto elsewhere = run("orient", {{"estimator", "closed-fitted"}}, {}, &farther);
+    ASSERT_TRUE(elsewhere);
+    EXPECT_NE(elsewhere->quality.verdict, Verdict::Good);
+}
+
+// Readings of the other sign are those of a rotor turned by 90 degrees about its shaft: no residual tells.
+TEST(OrientationTruthTest, readingsOfTheWrongSignAreRefusedWhereTheTruthIsKnown) {
+    const devices::RecordedFile healthy = recordedPoses(300, Noise_T);
+    for (const char* estimator : {"refined", "tensor", "lm"}) {
+        const devices::RecordedFile file = reversed(healthy);
+        const auto result = run("orient", {{"estimator", estimator}}, {{"truth", true}}, &file);
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_EQ(number(result->body, {"truth", "wrong_branches"}), 300.0) << estimator;
+        EXPECT_EQ(result->quality.verdict, Verdict::Refused) << estimator;
+        const Finding* wrong = finding(*result, "disagrees_with_truth");
+        ASSERT_NE(wrong, nullptr);
+        EXPECT_THAT(wrong->hint, testing::HasSubstr("sign of the readings"));
+        const auto right = run("orient", {{"estimator", estimator}}, {{"truth", true}}, &healthy);
+        ASSERT_TRUE(right);
+        EXPECT_EQ(right->quality.verdict, Verdict::Good) << estimator;
+    }
+}
+
+// A uniform field as three more unknowns is told from the tensor by a singular value of 0.0535 only: errors
+// of sensors as assembled, some mT, become as large as the tensor itself (spherical-theory.md section 5).
+TEST(OrientationTruthTest, aStrayFieldFromSensorsThatWereNotCalibratedIsRefused) {
+    const devices::RecordedFile file = recordedSpecimens();
+    for (const char* estimator : {"refined", "lm"}) {
+        const auto result =
+            run("orient", {{"estimator", estimator}}, {{"truth", true}, {"stray", true}}, &file);
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_EQ(result->quality.verdict, Verdict::Refused) << estimator;
+        EXPECT_NE(finding(*result, "stray_field_not_separable"), nullptr) << estimator;
+    }
+    const devices::RecordedFile ideal = recordedPoses(300, 10e-6);
+    const auto exact = run("orient", {{"tolerance", "none"}, {"noise_uT", "10"}},
+                           {{"truth", true}, {"stray", true}}, &ideal);
+    ASSERT_TRUE(exact);
+    EXPECT_EQ(exact->quality.verdict, Verdict::Good);
+}
+
+} // namespace halbench::app
