@@ -10170,6 +10170,18 @@
         <source>check the cable, the plug and the power of the device</source>
         <translation>Kabel, Stecker und Versorgung des Geräts prüfen</translation>
     </message>
+    <message>
+        <source>the sample recording &apos;{}&apos; cannot be read</source>
+        <translation>die Beispielaufzeichnung &apos;{}&apos; lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>install the program again</source>
+        <translation>installieren Sie das Programm neu</translation>
+    </message>
+    <message>
+        <source>the sample recording cannot be copied to &apos;{}&apos;: {}</source>
+        <translation>die Beispielaufzeichnung lässt sich nicht nach &apos;{}&apos; kopieren: {}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -11350,6 +11362,26 @@ Firmware %2</translation>
     <message>
         <source>Values of the simulated actuator: motion, noise, faults…</source>
         <translation>Werte des simulierten Aktors: Bewegung, Rauschen, Fehler…</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>No device found on USB or a serial port.</source>
+        <translation>Kein Gerät an USB oder einer seriellen Schnittstelle gefunden.</translation>
+    </message>
+    <message>
+        <source>%1, simulated (%2)</source>
+        <translation>%1, simuliert (%2)</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Copy address</source>
+        <translation>Adresse kopieren</translation>
     </message>
 </context>
 <context>
@@ -16261,6 +16293,10 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>The recording cannot be opened now.</source>
+        <translation>Die Aufzeichnung lässt sich jetzt nicht öffnen.</translation>
     </message>
 </context>
 <context>
@@ -22057,6 +22093,82 @@ Hall B
     <message>
         <source>Hall B over Hall A, the newest reading at each angle</source>
         <translation>Hall B über Hall A, neuester Messwert je Winkel</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecentLists</name>
+    <message>
+        <source>moved or deleted</source>
+        <translation>verschoben oder gelöscht</translation>
+    </message>
+    <message>
+        <source>no permission to read it</source>
+        <translation>keine Leseberechtigung</translation>
+    </message>
+    <message>
+        <source>Enter opens, Delete removes from the list</source>
+        <translation>Eingabe öffnet, Entf entfernt aus der Liste</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Zuletzt geöffnete Projekte</translation>
+    </message>
+    <message>
+        <source>No recent projects. Ctrl+O opens one, Ctrl+S saves this one.</source>
+        <translation>Keine zuletzt geöffneten Projekte. Strg+O öffnet eines, Strg+S speichert dieses.</translation>
+    </message>
+    <message>
+        <source>Recent recordings</source>
+        <translation>Letzte Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>No recent recordings. Ctrl+R records a device.</source>
+        <translation>Keine letzten Aufzeichnungen. Strg+R zeichnet ein Gerät auf.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::StartList</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>Pfad kopieren</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>Aus der Liste entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SampleList</name>
+    <message>
+        <source>Sample recordings</source>
+        <translation>Beispielaufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Enter or double-click opens a copy</source>
+        <translation>Eingabetaste oder Doppelklick öffnet eine Kopie</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Motor: step of 30°</source>
+        <translation>Motor: Sprung um 30°</translation>
+    </message>
+    <message>
+        <source>Positioner: step of 100 µm along x</source>
+        <translation>Positionierer: Sprung um 100 µm längs x</translation>
+    </message>
+    <message>
+        <source>Sphere: turning, with its orientation</source>
+        <translation>Kugel: Drehung mit ihrer Lage</translation>
     </message>
 </context>
 </TS>

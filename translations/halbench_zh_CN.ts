@@ -10170,6 +10170,18 @@
         <source>check the cable, the plug and the power of the device</source>
         <translation>检查设备的电缆、插头和电源</translation>
     </message>
+    <message>
+        <source>the sample recording &apos;{}&apos; cannot be read</source>
+        <translation>无法读取示例记录 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>install the program again</source>
+        <translation>请重新安装程序</translation>
+    </message>
+    <message>
+        <source>the sample recording cannot be copied to &apos;{}&apos;: {}</source>
+        <translation>无法将示例记录复制到 &apos;{}&apos;：{}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -11346,6 +11358,26 @@ Firmware %2</source>
     <message>
         <source>Values of the simulated actuator: motion, noise, faults…</source>
         <translation>仿真执行器的数值：运动、噪声、故障…</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>No device found on USB or a serial port.</source>
+        <translation>USB 和串口上未发现设备。</translation>
+    </message>
+    <message>
+        <source>%1, simulated (%2)</source>
+        <translation>%1，仿真（%2）</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Copy address</source>
+        <translation>复制地址</translation>
     </message>
 </context>
 <context>
@@ -16250,6 +16282,10 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
     <message>
         <source>Open folder</source>
         <translation>打开文件夹</translation>
+    </message>
+    <message>
+        <source>The recording cannot be opened now.</source>
+        <translation>现在无法打开该记录。</translation>
     </message>
 </context>
 <context>
@@ -22042,6 +22078,82 @@ Hall B
     <message>
         <source>Hall B over Hall A, the newest reading at each angle</source>
         <translation>霍尔 B 对霍尔 A，每个角度的最新读数</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecentLists</name>
+    <message>
+        <source>moved or deleted</source>
+        <translation>已移动或已删除</translation>
+    </message>
+    <message>
+        <source>no permission to read it</source>
+        <translation>没有读取权限</translation>
+    </message>
+    <message>
+        <source>Enter opens, Delete removes from the list</source>
+        <translation>回车打开，Delete 从列表中移除</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>最近的项目</translation>
+    </message>
+    <message>
+        <source>No recent projects. Ctrl+O opens one, Ctrl+S saves this one.</source>
+        <translation>没有最近的项目。Ctrl+O 打开项目，Ctrl+S 保存当前项目。</translation>
+    </message>
+    <message>
+        <source>Recent recordings</source>
+        <translation>最近的记录</translation>
+    </message>
+    <message>
+        <source>No recent recordings. Ctrl+R records a device.</source>
+        <translation>没有最近的记录。Ctrl+R 记录设备数据。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::StartList</name>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>打开文件夹</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>复制路径</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>从列表中移除</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SampleList</name>
+    <message>
+        <source>Sample recordings</source>
+        <translation>示例记录</translation>
+    </message>
+    <message>
+        <source>Enter or double-click opens a copy</source>
+        <translation>按回车键或双击打开副本</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Motor: step of 30°</source>
+        <translation>电机：30° 阶跃</translation>
+    </message>
+    <message>
+        <source>Positioner: step of 100 µm along x</source>
+        <translation>定位台：沿 x 阶跃 100 µm</translation>
+    </message>
+    <message>
+        <source>Sphere: turning, with its orientation</source>
+        <translation>球体：转动及其姿态</translation>
     </message>
 </context>
 </TS>

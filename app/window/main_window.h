@@ -81,7 +81,9 @@ private:
     template <typename Dialog>
     void openDialog(Dialog* dialog);
     void showShortcuts();
+    void createStartPage();
     void connectDrops();
+    void openRecording(const QString& path);
     void chooseTheme(ThemeChoice choice);
     void chooseLanguage(const QString& id);
     void askPreferences();

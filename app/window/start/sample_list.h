@@ -1,0 +1,28 @@
+#pragma once
+
+#include "app/workbench/file_queue.h"
+
+#include <QWidget>
+
+namespace halbench::app {
+
+class StartList;
+
+/// What a newcomer begins with: the recordings that come with the program.
+class SampleList : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SampleList(QWidget* parent);
+
+Q_SIGNALS:
+    void recordingChosen(const QString& path); ///< of the copy
+
+private:
+    void open(const QString& file);
+
+    StartList* m_list = nullptr;
+    FileQueue m_files;
+};
+
+} // namespace halbench::app
