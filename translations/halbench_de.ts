@@ -22155,6 +22155,14 @@ Hall B
         <source>Enter or double-click opens a copy</source>
         <translation>Eingabetaste oder Doppelklick öffnet eine Kopie</translation>
     </message>
+    <message>
+        <source>Five-minute tour</source>
+        <translation>Fünf-Minuten-Tour</translation>
+    </message>
+    <message>
+        <source>Shows the steps from connecting to tuning (Shift+F1)</source>
+        <translation>Zeigt die Schritte vom Verbinden bis zum Auslegen (Umschalt+F1)</translation>
+    </message>
 </context>
 <context>
     <name>Samples</name>
@@ -22169,6 +22177,123 @@ Hall B
     <message>
         <source>Sphere: turning, with its orientation</source>
         <translation>Kugel: Drehung mit ihrer Lage</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Connect a device</source>
+        <translation>Gerät verbinden</translation>
+    </message>
+    <message>
+        <source>Choose a simulated actuator and press Enter, or double-click it. A real device is listed when it is plugged in.</source>
+        <translation>Einen simulierten Aktor wählen und die Eingabetaste drücken, oder doppelklicken. Ein wirkliches Gerät steht in der Liste, sobald es angesteckt ist.</translation>
+    </message>
+    <message>
+        <source>Watch the signals</source>
+        <translation>Signale beobachten</translation>
+    </message>
+    <message>
+        <source>The plots follow the device. F6 lists all signals, Space pauses the view, the wheel zooms.</source>
+        <translation>Die Diagramme folgen dem Gerät. F6 listet alle Signale, die Leertaste hält die Ansicht an, das Rad zoomt.</translation>
+    </message>
+    <message>
+        <source>Arm and drive</source>
+        <translation>Freigeben und bewegen</translation>
+    </message>
+    <message>
+        <source>Arm, choose a reference, for example a sine, and start it. Esc or STOP stops the actuator at any time.</source>
+        <translation>Freigeben, eine Führungsgröße wählen, zum Beispiel einen Sinus, und sie starten. Esc oder STOPP hält den Aktor jederzeit an.</translation>
+    </message>
+    <message>
+        <source>Calibrate the sensors</source>
+        <translation>Sensoren kalibrieren</translation>
+    </message>
+    <message>
+        <source>A short motion measures the errors of the sensors; Apply corrects them. Simulated time 20 times shortens the wait.</source>
+        <translation>Eine kurze Bewegung misst die Fehler der Sensoren; Übernehmen berichtigt sie. Simulierte Zeit 20-fach verkürzt das Warten.</translation>
+    </message>
+    <message>
+        <source>Identify the actuator</source>
+        <translation>Aktor identifizieren</translation>
+    </message>
+    <message>
+        <source>Start identification measures the constants of the model, each with its 95 % interval, or says why it cannot.</source>
+        <translation>„Identifikation starten“ misst die Konstanten des Modells, jede mit ihrem 95-%-Intervall, oder nennt den Grund, warum es nicht geht.</translation>
+    </message>
+    <message>
+        <source>Tune the controller</source>
+        <translation>Regler auslegen</translation>
+    </message>
+    <message>
+        <source>Tune designs gains for the identified model. Apply and verify compares a test move with the prediction; Keep or Restore ends it.</source>
+        <translation>„Auslegen“ entwirft Reglerparameter für das identifizierte Modell. „Übernehmen, prüfen“ vergleicht eine Prüfbewegung mit der Vorhersage; „Behalten“ oder „Zurücksetzen“ schließt es ab.</translation>
+    </message>
+    <message>
+        <source>Record and compare</source>
+        <translation>Aufzeichnen und vergleichen</translation>
+    </message>
+    <message>
+        <source>Ctrl+R starts and ends a recording. The list of recordings opens, replays and overlays them.</source>
+        <translation>Strg+R beginnt und beendet eine Aufzeichnung. Die Liste der Aufzeichnungen öffnet sie, gibt sie wieder und überlagert sie.</translation>
+    </message>
+    <message>
+        <source>Find help</source>
+        <translation>Hilfe finden</translation>
+    </message>
+    <message>
+        <source>F1 explains the panel with the focus, Ctrl+F1 lists all keys. First steps and this tour are in the Help menu.</source>
+        <translation>F1 erklärt den Bereich mit dem Fokus, Strg+F1 listet alle Tasten. Erste Schritte und diese Tour stehen im Menü Hilfe.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::Tour</name>
+    <message>
+        <source>Five-minute &amp;tour</source>
+        <translation>Fünf-Minuten-&amp;Tour</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::TourCard</name>
+    <message>
+        <source>Five-minute tour</source>
+        <translation>Fünf-Minuten-Tour</translation>
+    </message>
+    <message>
+        <source>Shift+F1 switches between tour and panel.</source>
+        <translation>Umschalt+F1 wechselt zwischen Tour und Bereich.</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>Tour verlassen</translation>
+    </message>
+    <message>
+        <source>Leave the tour (Esc)</source>
+        <translation>Tour verlassen (Esc)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Previous step (Left)</source>
+        <translation>Voriger Schritt (Links)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Next step (Right)</source>
+        <translation>Nächster Schritt (Rechts)</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
     </message>
 </context>
 </TS>

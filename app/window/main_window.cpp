@@ -24,6 +24,7 @@
 #include "app/window/start/sample_list.h"
 #include "app/window/stop_guard.h"
 #include "app/window/top_bar.h"
+#include "app/window/tour/tour.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/device/device_panel.h"
@@ -220,6 +221,7 @@ void MainWindow::createStartPage() {
     connect(recent, &RecentLists::projectChosen, m_projects, &ProjectMenu::open);
     connect(recent, &RecentLists::recordingChosen, this, &MainWindow::openRecording);
     connect(samples, &SampleList::recordingChosen, this, &MainWindow::openRecording);
+    connect(samples, &SampleList::tourRequested, m_tour, &Tour::start);
 }
 
 void MainWindow::openRecording(const QString& path) {

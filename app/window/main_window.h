@@ -25,6 +25,7 @@ class ProjectMenu;
 class ProjectWork;
 class RecordingTidying;
 class TopBar;
+class Tour;
 class UnsavedBar;
 
 /// The workstation: top bar, docked panels, menus. Everything it does goes through the workbench.
@@ -141,6 +142,7 @@ private:
     QMenu* m_editMenu = nullptr;
     QMenu* m_viewMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
+    Tour* m_tour = nullptr;
     QActionGroup* m_themes = nullptr;
     QActionGroup* m_languages = nullptr;
     DockLayout* m_docks = nullptr;

@@ -3,9 +3,11 @@
 #include "app/window/start/sample_files.h"
 #include "app/window/start/start_list.h"
 #include "app/workspaces/actuators/registry/sample_recordings.h"
+#include "app/workspaces/parts/panel_parts.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/theme/theme_style.h"
 
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace halbench::app {
@@ -22,7 +24,13 @@ SampleList::SampleList(QWidget* parent) : QWidget(parent) {
     }
     m_list->setEntries(std::move(entries));
     column->addWidget(m_list);
+    QPushButton* tour =
+        makeButton({tr("Five-minute tour"), tr("Shows the steps from connecting to tuning (Shift+F1)"),
+                    QStringLiteral("help")},
+                   this);
+    column->addWidget(tour, 0, Qt::AlignLeft);
     connect(m_list, &StartList::openRequested, this, &SampleList::open);
+    connect(tour, &QPushButton::clicked, this, &SampleList::tourRequested);
 }
 
 void SampleList::open(const QString& file) {

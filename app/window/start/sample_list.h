@@ -8,7 +8,7 @@ namespace halbench::app {
 
 class StartList;
 
-/// What a newcomer begins with: the recordings that come with the program.
+/// What a newcomer begins with: the recordings that come with the program, and the tour of the window.
 class SampleList : public QWidget {
     Q_OBJECT
 
@@ -17,6 +17,7 @@ public:
 
 Q_SIGNALS:
     void recordingChosen(const QString& path); ///< of the copy
+    void tourRequested();
 
 private:
     void open(const QString& file);

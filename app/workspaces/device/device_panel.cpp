@@ -42,6 +42,7 @@ DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     page->addWidget(m_columns);
     page->addStretch(1);
     auto* own = new QWidget(m_columns);
+    own->setObjectName(QStringLiteral("device_chooser"));
     auto* column = new QVBoxLayout(own);
     column->setContentsMargins(0, 0, 0, 0);
     QVBoxLayout* devices = addSection(column, tr("Devices"), own);
