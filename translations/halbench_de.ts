@@ -10170,6 +10170,18 @@
         <source>check the cable, the plug and the power of the device</source>
         <translation>Kabel, Stecker und Versorgung des Geräts prüfen</translation>
     </message>
+    <message>
+        <source>the sample recording &apos;{}&apos; cannot be read</source>
+        <translation>die Beispielaufzeichnung &apos;{}&apos; lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>install the program again</source>
+        <translation>installieren Sie das Programm neu</translation>
+    </message>
+    <message>
+        <source>the sample recording cannot be copied to &apos;{}&apos;: {}</source>
+        <translation>die Beispielaufzeichnung lässt sich nicht nach &apos;{}&apos; kopieren: {}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -11350,6 +11362,26 @@ Firmware %2</translation>
     <message>
         <source>Values of the simulated actuator: motion, noise, faults…</source>
         <translation>Werte des simulierten Aktors: Bewegung, Rauschen, Fehler…</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>No device found on USB or a serial port.</source>
+        <translation>Kein Gerät an USB oder einer seriellen Schnittstelle gefunden.</translation>
+    </message>
+    <message>
+        <source>%1, simulated (%2)</source>
+        <translation>%1, simuliert (%2)</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Copy address</source>
+        <translation>Adresse kopieren</translation>
     </message>
 </context>
 <context>
@@ -16261,6 +16293,10 @@ Tasten im Monitor: &lt; und &gt;. Ein echtes Gerät läuft immer in Echtzeit.</t
     <message>
         <source>Open folder</source>
         <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>The recording cannot be opened now.</source>
+        <translation>Die Aufzeichnung lässt sich jetzt nicht öffnen.</translation>
     </message>
 </context>
 <context>
@@ -22061,6 +22097,207 @@ Hall B
     <message>
         <source>Hall B over Hall A, the newest reading at each angle</source>
         <translation>Hall B über Hall A, neuester Messwert je Winkel</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecentLists</name>
+    <message>
+        <source>moved or deleted</source>
+        <translation>verschoben oder gelöscht</translation>
+    </message>
+    <message>
+        <source>no permission to read it</source>
+        <translation>keine Leseberechtigung</translation>
+    </message>
+    <message>
+        <source>Enter opens, Delete removes from the list</source>
+        <translation>Eingabe öffnet, Entf entfernt aus der Liste</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>Zuletzt geöffnete Projekte</translation>
+    </message>
+    <message>
+        <source>No recent projects. Ctrl+O opens one, Ctrl+S saves this one.</source>
+        <translation>Keine zuletzt geöffneten Projekte. Strg+O öffnet eines, Strg+S speichert dieses.</translation>
+    </message>
+    <message>
+        <source>Recent recordings</source>
+        <translation>Letzte Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>No recent recordings. Ctrl+R records a device.</source>
+        <translation>Keine letzten Aufzeichnungen. Strg+R zeichnet ein Gerät auf.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::StartList</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>Pfad kopieren</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>Aus der Liste entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SampleList</name>
+    <message>
+        <source>Sample recordings</source>
+        <translation>Beispielaufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Enter or double-click opens a copy</source>
+        <translation>Eingabetaste oder Doppelklick öffnet eine Kopie</translation>
+    </message>
+    <message>
+        <source>Five-minute tour</source>
+        <translation>Fünf-Minuten-Tour</translation>
+    </message>
+    <message>
+        <source>Shows the steps from connecting to tuning (Shift+F1)</source>
+        <translation>Zeigt die Schritte vom Verbinden bis zum Auslegen (Umschalt+F1)</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Motor: step of 30°</source>
+        <translation>Motor: Sprung um 30°</translation>
+    </message>
+    <message>
+        <source>Positioner: step of 100 µm along x</source>
+        <translation>Positionierer: Sprung um 100 µm längs x</translation>
+    </message>
+    <message>
+        <source>Sphere: turning, with its orientation</source>
+        <translation>Kugel: Drehung mit ihrer Lage</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Connect a device</source>
+        <translation>Gerät verbinden</translation>
+    </message>
+    <message>
+        <source>Choose a simulated actuator and press Enter, or double-click it. A real device is listed when it is plugged in.</source>
+        <translation>Einen simulierten Aktor wählen und die Eingabetaste drücken, oder doppelklicken. Ein wirkliches Gerät steht in der Liste, sobald es angesteckt ist.</translation>
+    </message>
+    <message>
+        <source>Watch the signals</source>
+        <translation>Signale beobachten</translation>
+    </message>
+    <message>
+        <source>The plots follow the device. F6 lists all signals, Space pauses the view, the wheel zooms.</source>
+        <translation>Die Diagramme folgen dem Gerät. F6 listet alle Signale, die Leertaste hält die Ansicht an, das Rad zoomt.</translation>
+    </message>
+    <message>
+        <source>Arm and drive</source>
+        <translation>Freigeben und bewegen</translation>
+    </message>
+    <message>
+        <source>Arm, choose a reference, for example a sine, and start it. Esc or STOP stops the actuator at any time.</source>
+        <translation>Freigeben, eine Führungsgröße wählen, zum Beispiel einen Sinus, und sie starten. Esc oder STOPP hält den Aktor jederzeit an.</translation>
+    </message>
+    <message>
+        <source>Calibrate the sensors</source>
+        <translation>Sensoren kalibrieren</translation>
+    </message>
+    <message>
+        <source>A short motion measures the errors of the sensors; Apply corrects them. Simulated time 20 times shortens the wait.</source>
+        <translation>Eine kurze Bewegung misst die Fehler der Sensoren; Übernehmen berichtigt sie. Simulierte Zeit 20-fach verkürzt das Warten.</translation>
+    </message>
+    <message>
+        <source>Identify the actuator</source>
+        <translation>Aktor identifizieren</translation>
+    </message>
+    <message>
+        <source>Start identification measures the constants of the model, each with its 95 % interval, or says why it cannot.</source>
+        <translation>„Identifikation starten“ misst die Konstanten des Modells, jede mit ihrem 95-%-Intervall, oder nennt den Grund, warum es nicht geht.</translation>
+    </message>
+    <message>
+        <source>Tune the controller</source>
+        <translation>Regler auslegen</translation>
+    </message>
+    <message>
+        <source>Tune designs gains for the identified model. Apply and verify compares a test move with the prediction; Keep or Restore ends it.</source>
+        <translation>„Auslegen“ entwirft Reglerparameter für das identifizierte Modell. „Übernehmen, prüfen“ vergleicht eine Prüfbewegung mit der Vorhersage; „Behalten“ oder „Zurücksetzen“ schließt es ab.</translation>
+    </message>
+    <message>
+        <source>Record and compare</source>
+        <translation>Aufzeichnen und vergleichen</translation>
+    </message>
+    <message>
+        <source>Ctrl+R starts and ends a recording. The list of recordings opens, replays and overlays them.</source>
+        <translation>Strg+R beginnt und beendet eine Aufzeichnung. Die Liste der Aufzeichnungen öffnet sie, gibt sie wieder und überlagert sie.</translation>
+    </message>
+    <message>
+        <source>Find help</source>
+        <translation>Hilfe finden</translation>
+    </message>
+    <message>
+        <source>F1 explains the panel with the focus, Ctrl+F1 lists all keys. First steps and this tour are in the Help menu.</source>
+        <translation>F1 erklärt den Bereich mit dem Fokus, Strg+F1 listet alle Tasten. Erste Schritte und diese Tour stehen im Menü Hilfe.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::Tour</name>
+    <message>
+        <source>Five-minute &amp;tour</source>
+        <translation>Fünf-Minuten-&amp;Tour</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::TourCard</name>
+    <message>
+        <source>Five-minute tour</source>
+        <translation>Fünf-Minuten-Tour</translation>
+    </message>
+    <message>
+        <source>Shift+F1 switches between tour and panel.</source>
+        <translation>Umschalt+F1 wechselt zwischen Tour und Bereich.</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>Tour verlassen</translation>
+    </message>
+    <message>
+        <source>Leave the tour (Esc)</source>
+        <translation>Tour verlassen (Esc)</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Previous step (Left)</source>
+        <translation>Voriger Schritt (Links)</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Next step (Right)</source>
+        <translation>Nächster Schritt (Rechts)</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
     </message>
 </context>
 </TS>

@@ -10170,6 +10170,18 @@
         <source>check the cable, the plug and the power of the device</source>
         <translation>检查设备的电缆、插头和电源</translation>
     </message>
+    <message>
+        <source>the sample recording &apos;{}&apos; cannot be read</source>
+        <translation>无法读取示例记录 &apos;{}&apos;</translation>
+    </message>
+    <message>
+        <source>install the program again</source>
+        <translation>请重新安装程序</translation>
+    </message>
+    <message>
+        <source>the sample recording cannot be copied to &apos;{}&apos;: {}</source>
+        <translation>无法将示例记录复制到 &apos;{}&apos;：{}</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -11346,6 +11358,26 @@ Firmware %2</source>
     <message>
         <source>Values of the simulated actuator: motion, noise, faults…</source>
         <translation>仿真执行器的数值：运动、噪声、故障…</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>No device found on USB or a serial port.</source>
+        <translation>USB 和串口上未发现设备。</translation>
+    </message>
+    <message>
+        <source>%1, simulated (%2)</source>
+        <translation>%1，仿真（%2）</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Copy address</source>
+        <translation>复制地址</translation>
     </message>
 </context>
 <context>
@@ -16250,6 +16282,10 @@ Keys in the Monitor: &lt; and &gt;. A real device always runs in real time.</sou
     <message>
         <source>Open folder</source>
         <translation>打开文件夹</translation>
+    </message>
+    <message>
+        <source>The recording cannot be opened now.</source>
+        <translation>现在无法打开该记录。</translation>
     </message>
 </context>
 <context>
@@ -22046,6 +22082,207 @@ Hall B
     <message>
         <source>Hall B over Hall A, the newest reading at each angle</source>
         <translation>霍尔 B 对霍尔 A，每个角度的最新读数</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::RecentLists</name>
+    <message>
+        <source>moved or deleted</source>
+        <translation>已移动或已删除</translation>
+    </message>
+    <message>
+        <source>no permission to read it</source>
+        <translation>没有读取权限</translation>
+    </message>
+    <message>
+        <source>Enter opens, Delete removes from the list</source>
+        <translation>回车打开，Delete 从列表中移除</translation>
+    </message>
+    <message>
+        <source>Recent projects</source>
+        <translation>最近的项目</translation>
+    </message>
+    <message>
+        <source>No recent projects. Ctrl+O opens one, Ctrl+S saves this one.</source>
+        <translation>没有最近的项目。Ctrl+O 打开项目，Ctrl+S 保存当前项目。</translation>
+    </message>
+    <message>
+        <source>Recent recordings</source>
+        <translation>最近的记录</translation>
+    </message>
+    <message>
+        <source>No recent recordings. Ctrl+R records a device.</source>
+        <translation>没有最近的记录。Ctrl+R 记录设备数据。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::StartList</name>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Open folder</source>
+        <translation>打开文件夹</translation>
+    </message>
+    <message>
+        <source>Copy path</source>
+        <translation>复制路径</translation>
+    </message>
+    <message>
+        <source>Remove from the list</source>
+        <translation>从列表中移除</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::SampleList</name>
+    <message>
+        <source>Sample recordings</source>
+        <translation>示例记录</translation>
+    </message>
+    <message>
+        <source>Enter or double-click opens a copy</source>
+        <translation>按回车键或双击打开副本</translation>
+    </message>
+    <message>
+        <source>Five-minute tour</source>
+        <translation>五分钟导览</translation>
+    </message>
+    <message>
+        <source>Shows the steps from connecting to tuning (Shift+F1)</source>
+        <translation>演示从连接到整定的步骤（Shift+F1）</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Motor: step of 30°</source>
+        <translation>电机：30° 阶跃</translation>
+    </message>
+    <message>
+        <source>Positioner: step of 100 µm along x</source>
+        <translation>定位台：沿 x 阶跃 100 µm</translation>
+    </message>
+    <message>
+        <source>Sphere: turning, with its orientation</source>
+        <translation>球体：转动及其姿态</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Connect a device</source>
+        <translation>连接设备</translation>
+    </message>
+    <message>
+        <source>Choose a simulated actuator and press Enter, or double-click it. A real device is listed when it is plugged in.</source>
+        <translation>选择一个仿真执行器并按回车，或双击它。真实设备插入后会出现在列表中。</translation>
+    </message>
+    <message>
+        <source>Watch the signals</source>
+        <translation>观察信号</translation>
+    </message>
+    <message>
+        <source>The plots follow the device. F6 lists all signals, Space pauses the view, the wheel zooms.</source>
+        <translation>曲线图跟随设备。F6 列出所有信号，空格键暂停视图，滚轮缩放。</translation>
+    </message>
+    <message>
+        <source>Arm and drive</source>
+        <translation>使能并驱动</translation>
+    </message>
+    <message>
+        <source>Arm, choose a reference, for example a sine, and start it. Esc or STOP stops the actuator at any time.</source>
+        <translation>使能，选择参考值（例如正弦）并启动。Esc 或“停止”可随时停止执行器。</translation>
+    </message>
+    <message>
+        <source>Calibrate the sensors</source>
+        <translation>标定传感器</translation>
+    </message>
+    <message>
+        <source>A short motion measures the errors of the sensors; Apply corrects them. Simulated time 20 times shortens the wait.</source>
+        <translation>一段短暂的运动测出传感器误差；“应用”将其校正。仿真时间设为 20 倍可缩短等待。</translation>
+    </message>
+    <message>
+        <source>Identify the actuator</source>
+        <translation>辨识执行器</translation>
+    </message>
+    <message>
+        <source>Start identification measures the constants of the model, each with its 95 % interval, or says why it cannot.</source>
+        <translation>“开始辨识”测出模型的各个常数，每个都带有 95 % 区间；若无法得到则说明原因。</translation>
+    </message>
+    <message>
+        <source>Tune the controller</source>
+        <translation>整定控制器</translation>
+    </message>
+    <message>
+        <source>Tune designs gains for the identified model. Apply and verify compares a test move with the prediction; Keep or Restore ends it.</source>
+        <translation>“整定”为辨识出的模型设计增益。“应用并验证”将一次测试运动与预测作比较；最后选择“保留”或“恢复”。</translation>
+    </message>
+    <message>
+        <source>Record and compare</source>
+        <translation>记录并比较</translation>
+    </message>
+    <message>
+        <source>Ctrl+R starts and ends a recording. The list of recordings opens, replays and overlays them.</source>
+        <translation>Ctrl+R 开始和结束记录。在记录列表中可打开、回放和叠加记录。</translation>
+    </message>
+    <message>
+        <source>Find help</source>
+        <translation>查找帮助</translation>
+    </message>
+    <message>
+        <source>F1 explains the panel with the focus, Ctrl+F1 lists all keys. First steps and this tour are in the Help menu.</source>
+        <translation>F1 说明有焦点的面板，Ctrl+F1 列出所有按键。“入门”和本导览在“帮助”菜单中。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::Tour</name>
+    <message>
+        <source>Five-minute &amp;tour</source>
+        <translation>五分钟导览(&amp;T)</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::TourCard</name>
+    <message>
+        <source>Five-minute tour</source>
+        <translation>五分钟导览</translation>
+    </message>
+    <message>
+        <source>Shift+F1 switches between tour and panel.</source>
+        <translation>Shift+F1 在导览与面板之间切换。</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>退出导览</translation>
+    </message>
+    <message>
+        <source>Leave the tour (Esc)</source>
+        <translation>退出导览（Esc）</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>Previous step (Left)</source>
+        <translation>上一步（左方向键）</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+    <message>
+        <source>Next step (Right)</source>
+        <translation>下一步（右方向键）</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>第 %1 步，共 %2 步</translation>
     </message>
 </context>
 </TS>

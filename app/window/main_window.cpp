@@ -19,8 +19,12 @@
 #include "app/window/project/project_work.h"
 #include "app/window/project/unsaved_bar.h"
 #include "app/window/return_key.h"
+#include "app/window/start/recent_lists.h"
+#include "app/window/start/sample_files.h"
+#include "app/window/start/sample_list.h"
 #include "app/window/stop_guard.h"
 #include "app/window/top_bar.h"
+#include "app/window/tour/tour.h"
 #include "app/wizards/calibrate_panel.h"
 #include "app/wizards/identify_panel.h"
 #include "app/workspaces/device/device_panel.h"
@@ -167,6 +171,7 @@ void MainWindow::furnish() {
     m_notes = static_cast<NotesPanel*>(m_docks->panel("notes"));
     connectPanels();
     fillMenus();
+    createStartPage();
     connectDrops();
     m_project->beginWith(shownProject());
     m_autosave.start(AutosavePeriod_ms);
@@ -207,13 +212,27 @@ void MainWindow::showPlotsOnly(bool isOnly) {
     m_docks->setMainOnly(isOnly);
 }
 
+/// Beside the devices, which are shown until one is connected.
+void MainWindow::createStartPage() {
+    auto* recent = new RecentLists(m_bench, sampleFolder(), m_devices);
+    auto* samples = new SampleList(m_devices);
+    m_devices->addPart(*recent);
+    m_devices->addPart(*samples);
+    connect(recent, &RecentLists::projectChosen, m_projects, &ProjectMenu::open);
+    connect(recent, &RecentLists::recordingChosen, this, &MainWindow::openRecording);
+    connect(samples, &SampleList::recordingChosen, this, &MainWindow::openRecording);
+    connect(samples, &SampleList::tourRequested, m_tour, &Tour::start);
+}
+
+void MainWindow::openRecording(const QString& path) {
+    m_docks->setPerspective(Perspective::Record);
+    static_cast<RecordingsPanel*>(m_docks->panel("recordings"))->open(path);
+}
+
 void MainWindow::connectDrops() {
     auto* drop = new FileDrop(*this);
     connect(drop, &FileDrop::projectDropped, m_projects, &ProjectMenu::open);
-    connect(drop, &FileDrop::recordingDropped, this, [this](const QString& path) {
-        m_docks->setPerspective(Perspective::Record);
-        static_cast<RecordingsPanel*>(m_docks->panel("recordings"))->open(path);
-    });
+    connect(drop, &FileDrop::recordingDropped, this, &MainWindow::openRecording);
     connect(drop, &FileDrop::refused, this, [this](const QString& text, const QString& hint) {
         onMessage(widgets::Severity::Error, text, hint);
     });

@@ -25,6 +25,7 @@ class ProjectMenu;
 class ProjectWork;
 class RecordingTidying;
 class TopBar;
+class Tour;
 class UnsavedBar;
 
 /// The workstation: top bar, docked panels, menus. Everything it does goes through the workbench.
@@ -81,7 +82,9 @@ private:
     template <typename Dialog>
     void openDialog(Dialog* dialog);
     void showShortcuts();
+    void createStartPage();
     void connectDrops();
+    void openRecording(const QString& path);
     void chooseTheme(ThemeChoice choice);
     void chooseLanguage(const QString& id);
     void askPreferences();
@@ -139,6 +142,7 @@ private:
     QMenu* m_editMenu = nullptr;
     QMenu* m_viewMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
+    Tour* m_tour = nullptr;
     QActionGroup* m_themes = nullptr;
     QActionGroup* m_languages = nullptr;
     DockLayout* m_docks = nullptr;

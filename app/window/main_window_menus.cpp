@@ -12,6 +12,7 @@
 #include "app/window/project/project_menu.h"
 #include "app/window/project/unsaved_bar.h"
 #include "app/window/top_bar.h"
+#include "app/window/tour/tour.h"
 #include "app/workspaces/device/link_panel.h"
 #include "app/workspaces/recordings/recordings_panel.h"
 #include "app/workspaces/tune/tune_panel.h"
@@ -174,6 +175,8 @@ void MainWindow::createLanguageMenu(QMenu& menu) {
 
 void MainWindow::fillHelpMenu() {
     m_helpMenu->addAction(tr("&First steps"), this, [this] { openHelp("index.md"); });
+    m_tour = new Tour(*this, *m_docks, m_bench.session());
+    m_tour->addTo(*m_helpMenu);
     QAction* onPanel = m_helpMenu->addAction(tr("&Help on this panel"), this, &MainWindow::showHelp);
     onPanel->setShortcut(QKeySequence::HelpContents);
     QAction* keys = m_helpMenu->addAction(tr("&Keyboard shortcuts"), this, &MainWindow::showShortcuts);

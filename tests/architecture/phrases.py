@@ -22,14 +22,14 @@ TABLES = {
               "app/documents/text/json_value.cpp", "app/documents/model_file.cpp", "app/documents/text/output_file.cpp",
               "app/documents/presets.cpp", "app/recordings/recording_list.cpp", "app/recordings/recording_name.cpp",
               "app/recordings/recording_retention.cpp", "app/recordings/sidecar_change.cpp", "app/documents/result_header.cpp", "app/recordings/run_comparison.cpp",
-              "app/documents/text/toml_reader.cpp", "app/tuning/what_if_report.cpp", "app/window/project/project_", "app/workbench/", "app/workspaces/",
+              "app/documents/text/toml_reader.cpp", "app/tuning/what_if_report.cpp", "app/window/project/project_", "app/window/start/", "app/workbench/", "app/workspaces/",
               "app/wizards/", "widgets/figure/figure_file.cpp", "widgets/figure/figure_view.cpp"),
 }
 # what of these folders no window shows: command line only, or no sentence but a word of a file format
 NEVER_SHOWN = (
     "control/base/assert.cpp", "control/base/result.h", "devices/firmware/", "devices/open/serve_device.cpp",
     "devices/transport/pty_server.cpp", "devices/xcp/a2l_interface.cpp", "devices/xcp/a2l_parser.",
-    "app/actuators/htm/amplifier_analysis.cpp", "app/actuators/htm/motor_analysis.cpp",
+    "app/workspaces/actuators/registry/sample_recordings.cpp", "app/actuators/htm/amplifier_analysis.cpp", "app/actuators/htm/motor_analysis.cpp",
     "app/actuators/htm/motor_geometry_analysis.cpp",
     "app/actuators/htm/motor_contradictions.cpp", "app/actuators/spherical/sensing_contradictions.cpp")
 # words of a notation

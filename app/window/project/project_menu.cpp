@@ -1,5 +1,6 @@
 #include "app/window/project/project_menu.h"
 
+#include "app/window/start/recent_files.h"
 #include "widgets/language/local_time.h"
 #include "widgets/language/phrasebook.h"
 
@@ -8,21 +9,13 @@
 #include <QLocale>
 #include <QMenu>
 #include <QPointer>
-#include <QSettings>
 
 #include <utility>
 
 namespace halbench::app {
 
-namespace {
-
-constexpr int MostRecent = 8;
-constexpr const char* RecentKey = "recent_projects";
-
-} // namespace
-
 QStringList recentProjects() {
-    return QSettings().value(RecentKey).toStringList().mid(0, MostRecent);
+    return recentProjectFiles().paths();
 }
 
 ProjectMenu::ProjectMenu(ProjectSession& session, FileChooser files, QWidget* window)
@@ -200,11 +193,7 @@ void ProjectMenu::write(const QString& path) {
 }
 
 void ProjectMenu::remember(const QString& path) {
-    QStringList recent = recentProjects();
-    const QString whole = QFileInfo(path).absoluteFilePath();
-    recent.removeAll(whole);
-    recent.prepend(whole);
-    QSettings().setValue(RecentKey, QStringList(recent.mid(0, MostRecent)));
+    recentProjectFiles().add(path);
 }
 
 void ProjectMenu::fillRecent() {

@@ -3,15 +3,19 @@
 #include "app/workspaces/device/pace_row.h"
 #include "app/workspaces/device/simulation_options_dialog.h"
 #include "app/workspaces/parts/panel_parts.h"
+#include "app/workspaces/parts/side_columns.h"
 #include "devices/device_uri.h"
+#include "devices/open/device_title.h"
 #include "devices/open/open_device.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/language/phrasebook.h"
 #include "widgets/theme/icons.h"
 #include "widgets/theme/theme_style.h"
 
+#include <QAction>
+#include <QClipboard>
 #include <QEvent>
-#include <QFormLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -19,6 +23,8 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace halbench::app {
 
@@ -31,10 +37,20 @@ QString words(const std::string& text) {
 } // namespace
 
 DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m_bench(bench) {
-    QVBoxLayout* column = makeScrollingColumn(this);
-    buildChooser(column);
-    buildIdentity(column);
-    column->addStretch(1);
+    QVBoxLayout* page = makeScrollingColumn(this);
+    m_columns = new SideColumns(this);
+    page->addWidget(m_columns);
+    page->addStretch(1);
+    auto* own = new QWidget(m_columns);
+    own->setObjectName(QStringLiteral("device_chooser"));
+    auto* column = new QVBoxLayout(own);
+    column->setContentsMargins(0, 0, 0, 0);
+    QVBoxLayout* devices = addSection(column, tr("Devices"), own);
+    devices->setSpacing(widgets::PanelMargin_px);
+    buildChooser(devices);
+    buildIdentity(devices);
+    constexpr int OwnShare = 5; // names of devices with their addresses are long
+    m_columns->addPart(*own, OwnShare);
     setFocusProxy(m_list);
     takeDevices(devices::listBuiltInDevices());
     refresh();
@@ -49,8 +65,15 @@ DevicePanel::DevicePanel(Workbench& bench, QWidget* parent) : QWidget(parent), m
     connect(&session, &DeviceSession::procedureChanged, this, &DevicePanel::refresh);
 }
 
+void DevicePanel::addPart(QWidget& part) {
+    constexpr int Share = 4;
+    m_columns->addPart(part, Share);
+}
+
 void DevicePanel::buildChooser(QVBoxLayout* column) {
     m_list = new QListWidget(this);
+    m_list->setIconSize({16, 16});
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setAccessibleName(tr("Available devices"));
     m_list->setToolTip(tr("Enter or double-click connects"));
     m_address = new QLineEdit(this);
@@ -71,7 +94,11 @@ void DevicePanel::buildChooser(QVBoxLayout* column) {
     m_connect->setIcon(widgets::themedIcon("connect"));
     m_message = new widgets::MessageBar(this);
 
+    m_noneFound = makeNote(this);
+    m_noneFound->setText(tr("No device found on USB or a serial port."));
+
     column->addWidget(m_list);
+    column->addWidget(m_noneFound);
     auto* target = new QHBoxLayout;
     target->addWidget(m_address, 1);
     target->addWidget(m_options);
@@ -81,6 +108,7 @@ void DevicePanel::buildChooser(QVBoxLayout* column) {
     layout()->addWidget(m_message); // below what scrolls, so that all its words are seen
     column->addWidget(new PaceRow(m_bench, PaceRow::Place::Devices, this));
 
+    buildMenu();
     connect(m_list, &QListWidget::currentRowChanged, this, &DevicePanel::chooseRow);
     connect(m_address, &QLineEdit::textEdited, this, [this] { m_hasChosen = true; });
     connect(m_address, &QLineEdit::textChanged, this, &DevicePanel::offerOptions);
@@ -89,6 +117,17 @@ void DevicePanel::buildChooser(QVBoxLayout* column) {
     connect(m_address, &QLineEdit::returnPressed, this, &DevicePanel::connectAddress);
     connect(m_connect, &QPushButton::clicked, this, &DevicePanel::toggleConnection);
     connect(m_description, &QPushButton::clicked, this, &DevicePanel::chooseDescription);
+}
+
+void DevicePanel::buildMenu() {
+    m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
+    const auto add = [this](const QString& text, const auto& act) {
+        auto* action = new QAction(text, m_list);
+        connect(action, &QAction::triggered, this, act);
+        m_list->addAction(action);
+    };
+    add(tr("Connect"), [this] { connectAddress(); });
+    add(tr("Copy address"), [this] { QGuiApplication::clipboard()->setText(address()); });
 }
 
 void DevicePanel::buildIdentity(QVBoxLayout* column) {
@@ -115,6 +154,8 @@ void DevicePanel::showDevices() {
                           ? m_remembered.uri
                           : devices::addressNow(m_remembered, m_listed).value_or(std::string());
     m_list->clear();
+    m_noneFound->setVisible(std::all_of(m_listed.begin(), m_listed.end(),
+                                        [](const auto& listing) { return listing.isSimulated; }));
     if (!last.empty()) {
         devices::DeviceListing listing;
         listing.uri = last;
@@ -191,11 +232,22 @@ void DevicePanel::changeEvent(QEvent* event) {
     }
 }
 
+/// A name to read, beside the address to type.
+QString DevicePanel::textOf(const devices::DeviceListing& listing) {
+    const QString uri = words(listing.uri);
+    if (const std::string title = devices::simulatedTitle(listing.uri); !title.empty()) {
+        return tr("%1, simulated (%2)").arg(widgets::inWords(title), uri);
+    }
+    return listing.name.empty() ? uri : QStringLiteral("%1 (%2)").arg(words(listing.name), uri);
+}
+
 void DevicePanel::addDevice(const devices::DeviceListing& listing, bool isLast) {
     const QString uri = words(listing.uri);
-    const QString text = listing.name.empty() ? uri : QStringLiteral("%1 (%2)").arg(words(listing.name), uri);
+    const QString text = textOf(listing);
     auto* item = new QListWidgetItem(isLast ? tr("%1, last used").arg(text) : text, m_list);
     item->setData(Qt::UserRole, uri);
+    item->setIcon(listing.isSimulated ? widgets::themedIcon("simulated", widgets::Role::Simulated)
+                                      : widgets::themedIcon("connect"));
     item->setToolTip(listing.isAvailable ? words(listing.id)
                                          : widgets::inWords(listing.reason + ". " + listing.hint));
     if (!listing.isAvailable) {

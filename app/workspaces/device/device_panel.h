@@ -23,7 +23,10 @@ class MessageBar;
 
 namespace halbench::app {
 
-/// Devices that can be connected, the address in use, and the identity that the connected one states.
+class SideColumns;
+
+/// Devices that can be connected, the address in use, and the identity that the connected one states; beside
+/// them what the window adds to its start page.
 class DevicePanel : public QWidget {
     Q_OBJECT
 
@@ -32,6 +35,9 @@ public:
 
     /// How a description file is asked for; without it there is no button.
     void setFileChooser(FileChooser chooser);
+
+    /// Beside the devices where there is room, else below them.
+    void addPart(QWidget& part);
 
     void setAddress(const QString& uri);
     QString address() const;
@@ -58,10 +64,12 @@ private:
     };
 
     void buildChooser(QVBoxLayout* column);
+    void buildMenu();
     void buildIdentity(QVBoxLayout* column);
     void takeDevices(std::vector<devices::DeviceListing> list);
     void showDevices();
     void addDevice(const devices::DeviceListing& listing, bool isLast);
+    static QString textOf(const devices::DeviceListing& listing);
     QListWidgetItem* itemOf(const QString& uri) const;
     void markConnected();
     void fitRows();
@@ -76,7 +84,9 @@ private:
     void onFailed(const QString& text, const QString& hint);
 
     Workbench& m_bench;
+    SideColumns* m_columns = nullptr;
     QListWidget* m_list = nullptr;
+    QLabel* m_noneFound = nullptr; ///< beside the simulated ones
     QLineEdit* m_address = nullptr;
     QPushButton* m_description = nullptr;
     QPushButton* m_options = nullptr; ///< of a simulated device

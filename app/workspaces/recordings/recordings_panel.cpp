@@ -316,6 +316,11 @@ QString RecordingsPanel::reason(const RecordingEntry* entry) const {
     if (entry->isInterrupted) {
         return tr("Interrupted: recover it first.");
     }
+    return busyReason();
+}
+
+/// Why no recording can be opened now; empty: one can.
+QString RecordingsPanel::busyReason() const {
     if (m_bench.recording().isRecording()) {
         return tr("End the current recording first.");
     }

@@ -73,6 +73,7 @@ private:
     void recover(const QString& path);
     void onSelection();
     QString reason(const RecordingEntry* entry) const;
+    QString busyReason() const;
     void refreshActions();
     void openWhole();
     void openEntry(const QString& path);

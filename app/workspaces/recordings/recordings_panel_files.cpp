@@ -61,6 +61,9 @@ void RecordingsPanel::openEntry(const QString& path) {
         if (isFree()) {
             m_bench.shownRecording().open(path);
             Q_EMIT played();
+        } else {
+            m_message->showMessage(
+                {widgets::Severity::Warning, tr("The recording cannot be opened now."), busyReason(), {}});
         }
     };
     const int row = m_model.rowOf(path);

@@ -342,6 +342,10 @@ TEST_F(RecordingsPanelTest, anArmedDeviceIsNotLeftForARecording) {
     QTest::keyClick(table(), Qt::Key_Return, Qt::ControlModifier);
     EXPECT_FALSE(bench().shownRecording().isBusy());
     EXPECT_EQ(session().info().transport, "loopback");
+    panel->open(folder.filePath("run.csv")); // dropped on the window, or from its start page
+    EXPECT_TRUE(wait([&] { return message().remedy == "Disarm the device first."; }))
+        << message().text.toStdString();
+    EXPECT_EQ(session().info().transport, "loopback");
     bench().drive().disarm();
     EXPECT_TRUE(wait([&] { return play->isEnabled(); }));
 }
