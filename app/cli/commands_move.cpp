@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -41,6 +42,36 @@ std::string crossAxisText(const MoveResult& result) {
     return text;
 }
 
+/// The further axes of a path or table.
+std::string partnersText(const MoveResult& result) {
+    std::string text;
+    for (const PartnerResult& partner : result.partners) {
+        const std::string of = " position of axis " + partner.axis.id;
+        const std::string& unit = partner.axis.positionUnit;
+        text += partner.truth ? figureLines("true" + of, moveFigures(*partner.truth, unit)) : std::string();
+        text += figureLines("measured" + of, moveFigures(partner.measured, unit));
+    }
+    return text;
+}
+
+/// The worst row of a table; nothing of other references. All of them are in the document.
+std::string rowsText(const MoveResult& result) {
+    const std::vector<RowFigures>& rows = result.figures().rows;
+    if (rows.empty()) {
+        return {};
+    }
+    double error = 0.0;
+    std::optional<double> settling_s;
+    for (const RowFigures& row : rows) {
+        error = std::max(error, std::fabs(row.error));
+        settling_s = row.settlingTime_s ? std::max(row.settlingTime_s, settling_s) : settling_s;
+    }
+    JsonValue worst = JsonValue::object();
+    worst.set("largest_error_" + result.axis.positionUnit, error);
+    worst.set("longest_settling_time_s", settling_s ? JsonValue(*settling_s) : JsonValue());
+    return figureLines(fmt::format("{} rows of the table, axis {}", rows.size(), result.axis.id), worst);
+}
+
 /// A simulated device knows its true position; what is measured of any other is all there is.
 std::string moveText(const MoveResult& result) {
     constexpr std::string_view Measured = "measured_";
@@ -60,7 +91,8 @@ std::string moveText(const MoveResult& result) {
     const std::string of = isOneOfSeveral ? " of axis " + result.axis.id : std::string();
     const std::string truth = isOneOfSeveral ? "true position" + of : "true position of the simulated rotor";
     std::string text = result.truth ? figureLines(truth, first) : std::string();
-    text += figureLines("measured position" + of, measured) + figureLines("drive", rest);
+    text += figureLines("measured position" + of, measured) + rowsText(result) + partnersText(result);
+    text += figureLines("drive", rest);
     if (result.contour) {
         text += figureLines("distance from the path", contourBody(*result.contour));
     }

@@ -99,6 +99,7 @@ std::string remedyOf(const PoseTable& table, const control::MotionPiece& piece, 
                : "Use poses nearer to the start, or a wider window. Nothing moved.";
 }
 
+/// What a row exceeds on its way; a piece that only says the row.
 tl::unexpected<Error> beyond(const PoseTable& table, const control::MotionPiece& piece, std::size_t column,
                              double value, const Bound& bound) {
     const PoseTable::Column& of = table.columns[column];
@@ -292,6 +293,16 @@ Result<std::vector<devices::AxisSpec>> tableAxes(const devices::Catalogue& catal
 
 Result<void> checkTableLimits(const MoveReference& reference, const std::vector<TableAxisLimits>& limits) {
     const TabledMotion& tabled = *reference.table;
+    for (std::size_t row = 0; row < tabled.table.rows.size(); ++row) {
+        for (const TableAxisLimits& limit : limits) {
+            const auto column = tabled.table.columnOf(limit.axis);
+            const double away = column ? std::fabs(tabled.table.rows[row][*column]) : 0.0;
+            if (column && !(away < limit.window)) {
+                return beyond(tabled.table, {0.0, 0.0, row, {}}, *column, away,
+                              {"goes as far as", limit.window, limit.windowName, ""});
+            }
+        }
+    }
     for (const control::MotionPiece& piece : tabled.motion.pieces()) {
         for (const TableAxisLimits& limit : limits) {
             const auto column = tabled.table.columnOf(limit.axis);

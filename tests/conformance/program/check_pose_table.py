@@ -38,7 +38,7 @@ class PoseTables(ProgramCase):
     def refuse_table(self, text, pattern, keys=""):
         self.write("poses.csv", text)
         with self.subTest(text=text[:60], keys=keys):
-            self.refuse(2, pattern, "move", SIMULATED, "--reference", "table,file=poses.csv" + keys, "--out", "m.csv")
+            self.refuse(2, pattern, "move", SIMULATED, "--reference", "table,file=poses.csv" + keys, "--out", "m.csv", "--quiet")
 
     def test_timed_poses_are_reached_and_told(self):
         self.write("poses.csv", TIMED)
@@ -66,6 +66,8 @@ class PoseTables(ProgramCase):
         out = self.accept("move", SIMULATED, "--reference", "table,file=poses.csv").out
         self.assertIn("distance from the path", out)
         self.assertIn("true position of axis x", out)
+        self.assertIn("true position of axis phi", out)
+        self.assertRegex(out, r"4 rows of the table, axis x\n +largest error +\S+ m\n")
 
     def test_rows_without_times_are_visited(self):
         self.write("poses.csv", VISITED)
@@ -96,17 +98,17 @@ class PoseTables(ProgramCase):
             self.refuse_table(text, pattern, ",rate_mm_s=20,acceleration_m_s2=0.5,rate_mrad_s=9,acceleration_rad_s2=1")
         self.refuse_table("x_mm\n1\n2\n", r"needs rate_m_s")
         self.refuse_table("time_s,x_mm\n0,1\n2,2\n", r"poses\.csv:2: at time 0 the pose is not 0")
-        self.refuse_table("time_s,x_mm\n1,1\n1.05,30\n", r"poses\.csv:3: row 2: axis x moves at .* m/s, the limit is 0\.4 m/s \(window\.speed\)")
+        self.refuse_table("time_s,x_mm\n1,1\n2,1\n2.05,30\n", r"poses\.csv:4: row 3: axis x moves at .* m/s, the limit is 0\.4 m/s \(window\.speed\)")
         self.refuse_table(TIMED, r"row 2: axis x moves at .*the limit is 0\.003 m/s", ",rate_mm_s=3")
         self.refuse_table("time_s,x_mm\n" + "".join(f"{i + 1},{i % 2}\n" for i in range(600)), r"602 pieces, the board has room for 512")
         self.refuse(2, r"poses", "move", SIMULATED, "--reference", "table,file=missing_poses.csv")
         self.refuse(2, r"needs file", "move", SIMULATED, "--reference", "table")
         self.write("poses.csv", TIMED)
-        self.refuse(2, r"[Nn]ame no axis", "move", SIMULATED, "--axis", "x", "--reference", "table,file=poses.csv")
+        self.refuse(2, r"[Nn]ame no axis", "move", SIMULATED, "--axis", "x", "--reference", "table,file=poses.csv", "--quiet")
 
     def test_a_motor_refuses(self):
         self.write("poses.csv", "time_s,angle_deg\n1,5\n2,0\n")
-        self.refuse(2, r"follows no table of poses", "move", "sim:htm", "--reference", "table,file=poses.csv")
+        self.refuse(2, r"follows no table of poses", "move", "sim:htm", "--reference", "table,file=poses.csv", "--quiet")
 
     def test_the_table_is_never_overwritten(self):
         path = self.write("poses.csv", TIMED)

@@ -80,7 +80,9 @@ TEST(PlanarTable, stopBrakesAndLatchesAndTheTableGoesNotOn) {
     planar.start();
     planar.wait(0.7);
     planar.device().stop();
-    planar.wait(0.31);
+    for (int tick = 0; tick < 310; ++tick) {
+        planar.board().tick();
+    }
     EXPECT_LT(std::fabs(planar.truth().platen.velocity.x_m_s), 5e-3);
     EXPECT_EQ(planar.firmware().signals.board.status, HB_STATUS_STOPPED);
     EXPECT_EQ(planar.firmware().pieces.running, 0);
