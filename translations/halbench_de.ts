@@ -12488,6 +12488,34 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
         <source>jogging</source>
         <translation>Tippbetrieb</translation>
     </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>s-curve</source>
+        <translation>S-Kurve</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>raster</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>table of poses</source>
+        <translation>Tabelle von Lagen</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::FaultWords</name>
@@ -22405,6 +22433,140 @@ Hall B
     <message>
         <source>Hall B over Hall A, the newest reading at each angle</source>
         <translation>Hall B über Hall A, neuester Messwert je Winkel</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PathForm</name>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Umläufe</translation>
+    </message>
+    <message>
+        <source>Line length</source>
+        <translation>Zeilenlänge</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Line spacing</source>
+        <translation>Zeilenabstand</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>Größte Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration limit</source>
+        <translation>Größte Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Jerk limit</source>
+        <translation>Größter Ruck</translation>
+    </message>
+    <message>
+        <source>Rotation speed limit</source>
+        <translation>Größte Drehgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Angular acceleration limit</source>
+        <translation>Größte Winkelbeschleunigung</translation>
+    </message>
+    <message>
+        <source>Angular jerk limit</source>
+        <translation>Größter Winkelruck</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Raster</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Table of poses</source>
+        <translation>Tabelle von Lagen</translation>
+    </message>
+    <message>
+        <source>No file</source>
+        <translation>Keine Datei</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>Datei wählen…</translation>
+    </message>
+    <message>
+        <source>CSV with columns like time_s, x_mm, phi_mrad</source>
+        <translation>CSV mit Spalten wie time_s, x_mm, phi_mrad</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>%1; 0: no limit</source>
+        <translation>%1; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>No table of poses is chosen.</source>
+        <translation>Keine Tabelle von Lagen gewählt.</translation>
+    </message>
+    <message>
+        <source>Choose a CSV file.</source>
+        <translation>Eine CSV-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>Travel time: %1 s</source>
+        <translation>Fahrzeit: %1 s</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PathRun</name>
+    <message>
+        <source>Choose a table of poses</source>
+        <translation>Tabelle von Lagen wählen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt)</source>
+        <translation>Tabellen (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Moves together: %1.</source>
+        <translation>Bewegt gemeinsam: %1.</translation>
+    </message>
+    <message>
+        <source>Above the limit: the device may stop.</source>
+        <translation>Über dem Grenzwert: Das Gerät kann stoppen.</translation>
     </message>
 </context>
 </TS>

@@ -12483,6 +12483,34 @@ are ramps at jog speed.</source>
         <source>jogging</source>
         <translation>点动</translation>
     </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>梯形</translation>
+    </message>
+    <message>
+        <source>s-curve</source>
+        <translation>S 曲线</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>圆</translation>
+    </message>
+    <message>
+        <source>raster</source>
+        <translation>栅格</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>table of poses</source>
+        <translation>位姿表</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::FaultWords</name>
@@ -22390,6 +22418,140 @@ Hall B
     <message>
         <source>Hall B over Hall A, the newest reading at each angle</source>
         <translation>霍尔 B 对霍尔 A，每个角度的最新读数</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PathForm</name>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>圈数</translation>
+    </message>
+    <message>
+        <source>Line length</source>
+        <translation>行长</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Line spacing</source>
+        <translation>行距</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>停留时间</translation>
+    </message>
+    <message>
+        <source>Speed limit</source>
+        <translation>速度限值</translation>
+    </message>
+    <message>
+        <source>Acceleration limit</source>
+        <translation>加速度限值</translation>
+    </message>
+    <message>
+        <source>Jerk limit</source>
+        <translation>加加速度限值</translation>
+    </message>
+    <message>
+        <source>Rotation speed limit</source>
+        <translation>旋转速度限值</translation>
+    </message>
+    <message>
+        <source>Angular acceleration limit</source>
+        <translation>角加速度限值</translation>
+    </message>
+    <message>
+        <source>Angular jerk limit</source>
+        <translation>角加加速度限值</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>圆</translation>
+    </message>
+    <message>
+        <source>Raster</source>
+        <translation>栅格</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>Table of poses</source>
+        <translation>位姿表</translation>
+    </message>
+    <message>
+        <source>No file</source>
+        <translation>无文件</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>选择文件…</translation>
+    </message>
+    <message>
+        <source>CSV with columns like time_s, x_mm, phi_mrad</source>
+        <translation>含 time_s、x_mm、phi_mrad 等列的 CSV</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>%1; 0: no limit</source>
+        <translation>%1；0：无限值</translation>
+    </message>
+    <message>
+        <source>No table of poses is chosen.</source>
+        <translation>未选择位姿表。</translation>
+    </message>
+    <message>
+        <source>Choose a CSV file.</source>
+        <translation>请选择 CSV 文件。</translation>
+    </message>
+    <message>
+        <source>Travel time: %1 s</source>
+        <translation>行程时间：%1 s</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PathRun</name>
+    <message>
+        <source>Choose a table of poses</source>
+        <translation>选择位姿表</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt)</source>
+        <translation>表格 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Moves together: %1.</source>
+        <translation>同时移动：%1。</translation>
+    </message>
+    <message>
+        <source>Above the limit: the device may stop.</source>
+        <translation>超出限值：设备可能会停止。</translation>
     </message>
 </context>
 </TS>
