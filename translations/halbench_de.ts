@@ -22474,30 +22474,6 @@ Hall B
         <translation>Halt</translation>
     </message>
     <message>
-        <source>Speed limit</source>
-        <translation>Größte Geschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Acceleration limit</source>
-        <translation>Größte Beschleunigung</translation>
-    </message>
-    <message>
-        <source>Jerk limit</source>
-        <translation>Größter Ruck</translation>
-    </message>
-    <message>
-        <source>Rotation speed limit</source>
-        <translation>Größte Drehgeschwindigkeit</translation>
-    </message>
-    <message>
-        <source>Angular acceleration limit</source>
-        <translation>Größte Winkelbeschleunigung</translation>
-    </message>
-    <message>
-        <source>Angular jerk limit</source>
-        <translation>Größter Winkelruck</translation>
-    </message>
-    <message>
         <source>Circle</source>
         <translation>Kreis</translation>
     </message>
@@ -22548,6 +22524,30 @@ Hall B
     <message>
         <source>Travel time: %1 s</source>
         <translation>Fahrzeit: %1 s</translation>
+    </message>
+    <message>
+        <source>Rotation speed</source>
+        <translation>Drehgeschwindigk.</translation>
+    </message>
+    <message>
+        <source>Rotation accel.</source>
+        <translation>Drehbeschleunig.</translation>
+    </message>
+    <message>
+        <source>Rotation jerk</source>
+        <translation>Drehruck</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Ruck</translation>
     </message>
 </context>
 <context>

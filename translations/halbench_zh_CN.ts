@@ -22459,30 +22459,6 @@ Hall B
         <translation>停留时间</translation>
     </message>
     <message>
-        <source>Speed limit</source>
-        <translation>速度限值</translation>
-    </message>
-    <message>
-        <source>Acceleration limit</source>
-        <translation>加速度限值</translation>
-    </message>
-    <message>
-        <source>Jerk limit</source>
-        <translation>加加速度限值</translation>
-    </message>
-    <message>
-        <source>Rotation speed limit</source>
-        <translation>旋转速度限值</translation>
-    </message>
-    <message>
-        <source>Angular acceleration limit</source>
-        <translation>角加速度限值</translation>
-    </message>
-    <message>
-        <source>Angular jerk limit</source>
-        <translation>角加加速度限值</translation>
-    </message>
-    <message>
         <source>Circle</source>
         <translation>圆</translation>
     </message>
@@ -22533,6 +22509,30 @@ Hall B
     <message>
         <source>Travel time: %1 s</source>
         <translation>行程时间：%1 s</translation>
+    </message>
+    <message>
+        <source>Rotation speed</source>
+        <translation>旋转速度</translation>
+    </message>
+    <message>
+        <source>Rotation accel.</source>
+        <translation>旋转加速度</translation>
+    </message>
+    <message>
+        <source>Rotation jerk</source>
+        <translation>旋转加加速度</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>加加速度</translation>
     </message>
 </context>
 <context>

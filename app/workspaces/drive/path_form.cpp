@@ -11,11 +11,11 @@
 
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -47,24 +47,18 @@ constexpr Appearance Appearances[] = {
     {{"heading", Quantity::Length}, QT_TRANSLATE_NOOP("halbench::app::PathForm", "Heading"), 0.0, Pi / 180.0},
     {{"length", Quantity::Length}, QT_TRANSLATE_NOOP("halbench::app::PathForm", "Length"), 2e-3, 1e-4},
     {{"dwell", Quantity::Length}, QT_TRANSLATE_NOOP("halbench::app::PathForm", "Dwell"), 0.5, 0.1},
-    {{"rate", Quantity::Length}, QT_TRANSLATE_NOOP("halbench::app::PathForm", "Speed limit"), 0.01, 1e-3},
+    {{"rate", Quantity::Length}, QT_TRANSLATE_NOOP("halbench::app::PathForm", "Speed"), 0.01, 1e-3},
     {{"acceleration", Quantity::Length},
-     QT_TRANSLATE_NOOP("halbench::app::PathForm", "Acceleration limit"),
+     QT_TRANSLATE_NOOP("halbench::app::PathForm", "Acceleration"),
      0.5,
      0.1},
-    {{"jerk", Quantity::Length}, QT_TRANSLATE_NOOP("halbench::app::PathForm", "Jerk limit"), 20.0, 1.0},
-    {{"rate", Quantity::Angle},
-     QT_TRANSLATE_NOOP("halbench::app::PathForm", "Rotation speed limit"),
-     0.1,
-     0.01},
+    {{"jerk", Quantity::Length}, QT_TRANSLATE_NOOP("halbench::app::PathForm", "Jerk"), 20.0, 1.0},
+    {{"rate", Quantity::Angle}, QT_TRANSLATE_NOOP("halbench::app::PathForm", "Rotation speed"), 0.1, 0.01},
     {{"acceleration", Quantity::Angle},
-     QT_TRANSLATE_NOOP("halbench::app::PathForm", "Angular acceleration limit"),
+     QT_TRANSLATE_NOOP("halbench::app::PathForm", "Rotation accel."),
      1.0,
      0.1},
-    {{"jerk", Quantity::Angle},
-     QT_TRANSLATE_NOOP("halbench::app::PathForm", "Angular jerk limit"),
-     50.0,
-     1.0},
+    {{"jerk", Quantity::Angle}, QT_TRANSLATE_NOOP("halbench::app::PathForm", "Rotation jerk"), 50.0, 1.0},
 };
 
 struct Title {
@@ -110,14 +104,17 @@ QString pathTitle(Shape shape) {
 }
 
 PathForm::PathForm(QWidget* parent) : QWidget(parent) {
-    m_layout = new QFormLayout(this);
-    m_layout->setContentsMargins(0, 0, 0, 0);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_layout = new QFormLayout;
     m_layout->setSpacing(widgets::GridStep_px);
     for (const Appearance& appearance : Appearances) {
         addRow(appearance.setting);
     }
     buildFile();
     m_note = makeNote(this);
+    column->addLayout(m_layout);
+    column->addWidget(m_note);
     layOut();
 }
 
@@ -138,7 +135,7 @@ void PathForm::addRow(const ReferenceSetting& setting) {
 
 void PathForm::buildFile() {
     m_fileRow = new QWidget(this);
-    auto* row = new QHBoxLayout(m_fileRow);
+    auto* row = new QVBoxLayout(m_fileRow); // a name beside a button would not be seen
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(widgets::GridStep_px);
     m_file = new QLineEdit(m_fileRow);
@@ -147,7 +144,7 @@ void PathForm::buildFile() {
     m_file->setAccessibleName(tr("Table of poses"));
     auto* choose =
         makeButton({tr("Choose file…"), tr("CSV with columns like time_s, x_mm, phi_mrad"), {}}, m_fileRow);
-    row->addWidget(m_file, 1);
+    row->addWidget(m_file);
     row->addWidget(choose);
     m_fileLabel = new QLabel(tr("File"), this);
     m_fileLabel->setBuddy(choose);
@@ -210,7 +207,6 @@ void PathForm::layOut() {
         Row& row = rowOf(setting);
         m_layout->addRow(row.label, row.field);
     }
-    m_layout->addRow(m_note);
     say();
 }
 
@@ -286,9 +282,9 @@ void PathForm::say() {
         const double time_s = travelTime_s(*wanted).value_or(0.0);
         m_note->setText(tr("Travel time: %1 s").arg(widgets::fixedText(time_s, 3)));
     } else {
-        m_note->setText(widgets::inWords(wanted.error().message) + QLatin1Char(' ') +
-                        widgets::inWords(wanted.error().hint));
+        m_note->setText(widgets::inWords(wanted.error().message));
     }
+    m_note->setToolTip(wanted ? QString() : widgets::inWords(wanted.error().hint));
     const bool isQuiet = wanted || (m_shape == Shape::Table && !m_table);
     showRole(*m_note, isQuiet ? widgets::Role::Muted : widgets::Role::Bad);
     Q_EMIT changed();

@@ -8,6 +8,7 @@
 #include "app/workspaces/drive/path_form.h"
 #include "widgets/language/phrasebook.h"
 
+#include <QFileInfo>
 #include <QPointer>
 #include <QStringList>
 
@@ -81,9 +82,9 @@ void PathRun::chooseTable() {
         return;
     }
     m_files.run(
-        [path = path.toStdString()]() -> Result<PoseTable> {
+        [path = path.toStdString(), name = QFileInfo(path).fileName().toStdString()]() -> Result<PoseTable> {
             const Result<std::string> text = readFile(path);
-            return text ? parsePoseTable(*text, path) : failure(text.error());
+            return text ? parsePoseTable(*text, name) : failure(text.error());
         },
         [form = QPointer<PathForm>(&m_form), path](Result<PoseTable> table) {
             if (form) {

@@ -77,9 +77,9 @@ TEST_F(PathFormTest, givesTheReferenceOfTheCommandLine) {
     set("Radius", 2.0);
     set("Angle", -90.0);
     set("Heading", 45.0);
-    set("Speed limit", 20.0);
-    set("Acceleration limit", 0.5);
-    set("Jerk limit", 0.0);
+    set("Speed", 20.0);
+    set("Acceleration", 0.5);
+    set("Jerk", 0.0);
     const auto shown = form->take();
     ASSERT_TRUE(shown) << shown.error().message;
     const auto typed =
@@ -128,16 +128,16 @@ TEST_F(PathFormTest, tableIsChosenReadAndJudged) {
     EXPECT_EQ(wanted.count(), 1);
     setTable("time_s,x_mm\n1,1\n2,nan\n");
     EXPECT_TRUE(note().contains("poses.csv:3:3:")) << note().toStdString();
-    set("Speed limit", 100.0);
-    set("Acceleration limit", 1.0);
+    set("Speed", 100.0);
+    set("Acceleration", 1.0);
     setTable("time_s,x_mm\n1,1\n2.5,0\n");
     const auto timed = form->take();
     ASSERT_TRUE(timed) << timed.error().message;
     EXPECT_NEAR(travelTime_s(*timed).value_or(0.0), 2.5, 1e-12);
     EXPECT_EQ(note(), "Travel time: 2.500 s");
-    set("Speed limit", 1.0); // mm/s: 9/4 of the mean of 2/3 mm/s and more
+    set("Speed", 1.0); // mm/s: 9/4 of the mean of 2/3 mm/s and more
     EXPECT_TRUE(note().contains("row 1")) << note().toStdString();
-    set("Speed limit", 20.0);
+    set("Speed", 20.0);
     set("Dwell", 0.25);
     setTable("x_mm\n1\n2\n");
     const auto visited = form->take();

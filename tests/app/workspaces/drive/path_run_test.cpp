@@ -72,8 +72,8 @@ TEST_F(PathRunTest, tableIsReadAndFollowed) {
     connectPlanar();
     armAndWait();
     choose("Table of poses");
-    set("Speed limit", 100.0);
-    set("Acceleration limit", 1.0);
+    set("Speed", 100.0);
+    set("Acceleration", 1.0);
     offer("time_s,x_mm,y_mm\n0.5,1,0\n1,1,1\n");
     ASSERT_TRUE(wait([&] { return says("Travel time: 1.000 s"); }));
     const double x_m = latest("position.x");
@@ -87,9 +87,9 @@ TEST_F(PathRunTest, tableBeyondAWindowOrOfAnotherDeviceIsRefused) {
     connectPlanar();
     armAndWait();
     choose("Table of poses");
-    set("Speed limit", 1000.0);
-    set("Acceleration limit", 100.0);
-    set("Jerk limit", 0.0);
+    set("Speed", 1000.0);
+    set("Acceleration", 100.0);
+    set("Jerk", 0.0);
     offer("time_s,x_mm\n1,1\n5,60\n");
     ASSERT_TRUE(wait([&] { return says("Travel time: 5.000 s"); }));
     click(*panel, "Start");
