@@ -203,10 +203,6 @@
         <translation>Des Rasters</translation>
     </message>
     <message>
-        <source>Path that x and y follow from the next start on, once, instead of their references</source>
-        <translation>Bahn, der x und y ab dem nächsten Start einmal statt ihrer Sollwerte folgen</translation>
-    </message>
-    <message>
         <source>Speed along the path: with jumps of the acceleration or with a largest jerk</source>
         <translation>Geschwindigkeit auf der Bahn: mit Sprüngen der Beschleunigung oder mit begrenztem Ruck</translation>
     </message>
@@ -3789,22 +3785,6 @@
     <message>
         <source>phases of a multisine; 0: those of least peak</source>
         <translation>Phasen eines Multisinus; 0: die mit der kleinsten Spitze</translation>
-    </message>
-    <message>
-        <source>of a raster</source>
-        <translation>eines Rasters</translation>
-    </message>
-    <message>
-        <source>of a raster: from line to line along the second axis</source>
-        <translation>eines Rasters: von Zeile zu Zeile entlang der zweiten Achse</translation>
-    </message>
-    <message>
-        <source>of a raster: length of a line along the first axis</source>
-        <translation>eines Rasters: Länge einer Zeile entlang der ersten Achse</translation>
-    </message>
-    <message>
-        <source>of a circle</source>
-        <translation>eines Kreises</translation>
     </message>
     <message>
         <source>largest jerk of an S-curve or path</source>
@@ -9499,22 +9479,6 @@
         <translation>Der Strecke</translation>
     </message>
     <message>
-        <source>of a circle, whose centre lies so far along the first axis, or of an arc</source>
-        <translation>eines Kreises, dessen Mittelpunkt so weit entlang der ersten Achse liegt, oder eines Bogens</translation>
-    </message>
-    <message>
-        <source>of an arc, counter-clockwise</source>
-        <translation>eines Bogens, gegen den Uhrzeigersinn</translation>
-    </message>
-    <message>
-        <source>direction in which arc and line begin, from the first axis to the second</source>
-        <translation>Richtung, in der Bogen und Strecke beginnen, von der ersten Achse zur zweiten</translation>
-    </message>
-    <message>
-        <source>of a line</source>
-        <translation>einer Strecke</translation>
-    </message>
-    <message>
         <source>the heading of a path is not a number</source>
         <translation>die Anfangsrichtung einer Bahn ist keine Zahl</translation>
     </message>
@@ -10181,6 +10145,406 @@
     <message>
         <source>the sample recording cannot be copied to &apos;{}&apos;: {}</source>
         <translation>die Beispielaufzeichnung lässt sich nicht nach &apos;{}&apos; kopieren: {}</translation>
+    </message>
+    <message>
+        <source>Path that x and y (of a table all axes) follow from the next start on, once, instead of references</source>
+        <translation>Bahn, der x und y (bei einer Tabelle alle Achsen) ab dem nächsten Start einmal folgen, anstelle der Führungsgrößen</translation>
+    </message>
+    <message>
+        <source>Where a piece begins, from where the motion began</source>
+        <translation>Wo ein Stück beginnt, gezählt vom Beginn der Bewegung</translation>
+    </message>
+    <message>
+        <source>At the beginning of the piece</source>
+        <translation>Am Anfang des Stücks</translation>
+    </message>
+    <message>
+        <source>During the piece</source>
+        <translation>Während des Stücks</translation>
+    </message>
+    <message>
+        <source>How long the piece lasts</source>
+        <translation>Dauer des Stücks</translation>
+    </message>
+    <message>
+        <source>Writing n stores the piece as number n of the table</source>
+        <translation>n schreiben speichert das Stück als Nummer n der Tabelle</translation>
+    </message>
+    <message>
+        <source>Pieces that path.shape = table follows</source>
+        <translation>Stücke, denen path.shape = table folgt</translation>
+    </message>
+    <message>
+        <source>a motion without poses</source>
+        <translation>eine Bewegung ohne Lagen</translation>
+    </message>
+    <message>
+        <source>Give at least one pose.</source>
+        <translation>Mindestens eine Lage angeben.</translation>
+    </message>
+    <message>
+        <source>poses with different numbers of axes</source>
+        <translation>Lagen mit verschieden vielen Achsen</translation>
+    </message>
+    <message>
+        <source>Give every axis in every row.</source>
+        <translation>In jeder Zeile jede Achse angeben.</translation>
+    </message>
+    <message>
+        <source>a pose is not a number</source>
+        <translation>eine Lage ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Give finite poses.</source>
+        <translation>Endliche Lagen angeben.</translation>
+    </message>
+    <message>
+        <source>the poses move nothing</source>
+        <translation>die Lagen bewegen nichts</translation>
+    </message>
+    <message>
+        <source>Poses count from where the axes stand: give one that differs from 0.</source>
+        <translation>Lagen zählen vom Stand der Achsen: eine angeben, die nicht 0 ist.</translation>
+    </message>
+    <message>
+        <source>not as many times as poses</source>
+        <translation>nicht so viele Zeiten wie Lagen</translation>
+    </message>
+    <message>
+        <source>Give a time for every pose.</source>
+        <translation>Für jede Lage eine Zeit angeben.</translation>
+    </message>
+    <message>
+        <source>a time of a pose is not a number</source>
+        <translation>die Zeit einer Lage ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>Give finite times.</source>
+        <translation>Endliche Zeiten angeben.</translation>
+    </message>
+    <message>
+        <source>the times of poses do not increase</source>
+        <translation>die Zeiten der Lagen nehmen nicht zu</translation>
+    </message>
+    <message>
+        <source>Sort the rows; times begin at 0 or later.</source>
+        <translation>Zeilen sortieren; Zeiten beginnen bei 0 oder später.</translation>
+    </message>
+    <message>
+        <source>at time 0 the pose is not 0</source>
+        <translation>zur Zeit 0 ist die Lage nicht 0</translation>
+    </message>
+    <message>
+        <source>Poses count from where the axes stand when they start: begin with zeros, or later.</source>
+        <translation>Lagen zählen vom Stand der Achsen beim Start: mit Nullen beginnen, oder später.</translation>
+    </message>
+    <message>
+        <source>radius; of a circle the centre lies along the first axis</source>
+        <translation>Radius; bei einem Kreis liegt die Mitte entlang der ersten Achse</translation>
+    </message>
+    <message>
+        <source>turns of a circle</source>
+        <translation>Umläufe eines Kreises</translation>
+    </message>
+    <message>
+        <source>length of the lines of a raster, along the first axis</source>
+        <translation>Länge der Zeilen eines Rasters, entlang der ersten Achse</translation>
+    </message>
+    <message>
+        <source>from line to line of a raster, along the second axis</source>
+        <translation>von Zeile zu Zeile eines Rasters, entlang der zweiten Achse</translation>
+    </message>
+    <message>
+        <source>lines of a raster</source>
+        <translation>Zeilen eines Rasters</translation>
+    </message>
+    <message>
+        <source>angle of an arc, counter-clockwise</source>
+        <translation>Winkel eines Bogens, gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>start direction of arc and line, from first to second axis</source>
+        <translation>Anfangsrichtung von Bogen und Strecke, von der ersten zur zweiten Achse</translation>
+    </message>
+    <message>
+        <source>length of a line</source>
+        <translation>Länge einer Strecke</translation>
+    </message>
+    <message>
+        <source>rest in every row of a table without time_s</source>
+        <translation>Halt in jeder Zeile einer Tabelle ohne time_s</translation>
+    </message>
+    <message>
+        <source>a {} has no file</source>
+        <translation>eine Form {} hat keine Datei</translation>
+    </message>
+    <message>
+        <source>Only a table has a file of poses.</source>
+        <translation>Nur eine Tabelle hat eine Datei mit Lagen.</translation>
+    </message>
+    <message>
+        <source>Write a header like time_s,x_mm,y_mm,phi_mrad.</source>
+        <translation>Eine Kopfzeile wie time_s,x_mm,y_mm,phi_mrad schreiben.</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; has no unit in its name</source>
+        <translation>Spalte &apos;{}&apos; hat keine Einheit im Namen</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos;: &apos;{}&apos; is no unit of a {}</source>
+        <translation>Spalte &apos;{}&apos;: &apos;{}&apos; ist keine Einheit für {}</translation>
+    </message>
+    <message>
+        <source>length or an angle</source>
+        <translation>Länge oder Winkel</translation>
+    </message>
+    <message>
+        <source>Write time_s or time_ms.</source>
+        <translation>time_s oder time_ms schreiben.</translation>
+    </message>
+    <message>
+        <source>Write e.g. x_mm, x_m, phi_mrad or phi_deg.</source>
+        <translation>Zum Beispiel x_mm, x_m, phi_mrad oder phi_deg schreiben.</translation>
+    </message>
+    <message>
+        <source>At most {} are read.</source>
+        <translation>Höchstens {} werden gelesen.</translation>
+    </message>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>eine Zelle in Anführungszeichen endet nicht</translation>
+    </message>
+    <message>
+        <source>Write numbers without quotes.</source>
+        <translation>Zahlen ohne Anführungszeichen schreiben.</translation>
+    </message>
+    <message>
+        <source>the time is given twice</source>
+        <translation>die Zeit ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>axis {} is given twice, as {} and {}</source>
+        <translation>Achse {} ist zweimal angegeben, als {} und {}</translation>
+    </message>
+    <message>
+        <source>Keep one of the columns.</source>
+        <translation>Eine der Spalten behalten.</translation>
+    </message>
+    <message>
+        <source>the table has no column of an axis</source>
+        <translation>die Tabelle hat keine Spalte für eine Achse</translation>
+    </message>
+    <message>
+        <source>{} has no value</source>
+        <translation>{} hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a finite number ({})</source>
+        <translation>&apos;{}&apos; ist keine endliche Zahl ({})</translation>
+    </message>
+    <message>
+        <source>Write numbers like -1{}5e-3 in every cell.</source>
+        <translation>In jede Zelle eine Zahl wie -1{}5e-3 schreiben.</translation>
+    </message>
+    <message>
+        <source>the time is negative</source>
+        <translation>die Zeit ist negativ</translation>
+    </message>
+    <message>
+        <source>Times count from the start of the motion.</source>
+        <translation>Zeiten zählen vom Beginn der Bewegung.</translation>
+    </message>
+    <message>
+        <source>time {} s comes after {} s</source>
+        <translation>Zeit {} s kommt nach {} s</translation>
+    </message>
+    <message>
+        <source>Sort the rows by time, each time once.</source>
+        <translation>Zeilen nach der Zeit sortieren, jede Zeit einmal.</translation>
+    </message>
+    <message>
+        <source>more than {} rows</source>
+        <translation>mehr als {} Zeilen</translation>
+    </message>
+    <message>
+        <source>Split the table.</source>
+        <translation>Tabelle teilen.</translation>
+    </message>
+    <message>
+        <source>{} cells, but the header has {} columns</source>
+        <translation>{} Zellen, aber die Kopfzeile hat {} Spalten</translation>
+    </message>
+    <message>
+        <source>Give every column a value; the separator is that of the header.</source>
+        <translation>Jeder Spalte einen Wert geben; das Trennzeichen ist das der Kopfzeile.</translation>
+    </message>
+    <message>
+        <source>the table has no rows</source>
+        <translation>die Tabelle hat keine Zeilen</translation>
+    </message>
+    <message>
+        <source>the table has one row only</source>
+        <translation>die Tabelle hat nur eine Zeile</translation>
+    </message>
+    <message>
+        <source>Give two poses or more, a line each. For one pose use a travel, e.g. s-curve.</source>
+        <translation>Mindestens zwei Lagen angeben, je eine Zeile. Für eine Lage eine Fahrt verwenden, z. B. s-curve.</translation>
+    </message>
+    <message>
+        <source>{}: the table has {} octets, {} are read</source>
+        <translation>{}: die Tabelle hat {} Byte, {} werden gelesen</translation>
+    </message>
+    <message>
+        <source>Split the table; {} rows are the most.</source>
+        <translation>Tabelle teilen; höchstens {} Zeilen.</translation>
+    </message>
+    <message>
+        <source>{}: the file is no text</source>
+        <translation>{}: die Datei ist kein Text</translation>
+    </message>
+    <message>
+        <source>without time_s the way to {} needs {}</source>
+        <translation>ohne time_s braucht der Weg nach {} {}</translation>
+    </message>
+    <message>
+        <source>Add {}=... to the reference, or a column time_s to the table.</source>
+        <translation>{}=... zur Führungsgröße oder eine Spalte time_s zur Tabelle hinzufügen.</translation>
+    </message>
+    <message>
+        <source>{}: row {}: axis {} {} {} {}{}, the limit is {} {}{} ({})</source>
+        <translation>{}: Zeile {}: Achse {} {} {} {}{}, die Grenze ist {} {}{} ({})</translation>
+    </message>
+    <message>
+        <source>Use poses nearer to the start, or a wider window. Nothing moved.</source>
+        <translation>Lagen näher am Start oder ein weiteres Fenster verwenden. Es hat sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>Give the row more time, or bring it nearer to the one before. Nothing moved.</source>
+        <translation>Der Zeile mehr Zeit geben, oder sie näher an die davor legen. Es hat sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>moves at</source>
+        <translation>bewegt sich mit</translation>
+    </message>
+    <message>
+        <source>rate of the reference</source>
+        <translation>rate der Führungsgröße</translation>
+    </message>
+    <message>
+        <source>accelerates at</source>
+        <translation>beschleunigt mit</translation>
+    </message>
+    <message>
+        <source>acceleration of the reference</source>
+        <translation>acceleration der Führungsgröße</translation>
+    </message>
+    <message>
+        <source>has a jerk of</source>
+        <translation>hat einen Ruck von</translation>
+    </message>
+    <message>
+        <source>jerk of the reference</source>
+        <translation>jerk der Führungsgröße</translation>
+    </message>
+    <message>
+        <source>dwell_s is for tables without time_s</source>
+        <translation>dwell_s gilt für Tabellen ohne time_s</translation>
+    </message>
+    <message>
+        <source>Leave it out: two rows with the same pose are a pause.</source>
+        <translation>Weglassen: Zwei Zeilen mit derselben Lage sind eine Pause.</translation>
+    </message>
+    <message>
+        <source>{}: the device has no axis &apos;{}&apos; ({})</source>
+        <translation>{}: das Gerät hat keine Achse &apos;{}&apos; ({})</translation>
+    </message>
+    <message>
+        <source>Its axes: {}.</source>
+        <translation>Seine Achsen: {}.</translation>
+    </message>
+    <message>
+        <source>{}: axis {} is in {}, not in {} ({})</source>
+        <translation>{}: Achse {} ist in {}, nicht in {} ({})</translation>
+    </message>
+    <message>
+        <source>Name the column {}_{}.</source>
+        <translation>Die Spalte {}_{} nennen.</translation>
+    </message>
+    <message>
+        <source>{}: the way takes {} pieces, the board has room for {}</source>
+        <translation>{}: der Weg braucht {} Stücke, die Platine fasst {}</translation>
+    </message>
+    <message>
+        <source>Split the table, or use fewer rows.</source>
+        <translation>Tabelle teilen oder weniger Zeilen verwenden.</translation>
+    </message>
+    <message>
+        <source>{}: row {}: the way takes {} s, the board takes up to {} s</source>
+        <translation>{}: Zeile {}: der Weg dauert {} s, die Platine nimmt bis zu {} s</translation>
+    </message>
+    <message>
+        <source>Add rows in between.</source>
+        <translation>Zeilen dazwischen einfügen.</translation>
+    </message>
+    <message>
+        <source>a table needs file</source>
+        <translation>eine Tabelle braucht file</translation>
+    </message>
+    <message>
+        <source>Add file=POSES.csv to the reference.</source>
+        <translation>file=POSES.csv zur Führungsgröße hinzufügen.</translation>
+    </message>
+    <message>
+        <source>a table has no amplitude and no constant motion</source>
+        <translation>eine Tabelle hat keine Amplitude und keine gleichförmige Bewegung</translation>
+    </message>
+    <message>
+        <source>Write both into its rows.</source>
+        <translation>Beides in ihre Zeilen schreiben.</translation>
+    </message>
+    <message>
+        <source>this device follows no table of poses</source>
+        <translation>dieses Gerät folgt keiner Tabelle von Lagen</translation>
+    </message>
+    <message>
+        <source>Move one axis: a step, a ramp, a staircase.</source>
+        <translation>Eine Achse bewegen: Sprung, Rampe, Treppe.</translation>
+    </message>
+    <message>
+        <source>the table of the reference was not read</source>
+        <translation>die Tabelle der Führungsgröße wurde nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Read the file before the move.</source>
+        <translation>Die Datei vor der Bewegung lesen.</translation>
+    </message>
+    <message>
+        <source>goes as far as</source>
+        <translation>geht bis</translation>
+    </message>
+    <message>
+        <source>largest force over inertia</source>
+        <translation>größte Kraft durch Trägheit</translation>
+    </message>
+    <message>
+        <source>{}: row {}: axis {} would stand at {} {}, its travel ends at {} {}</source>
+        <translation>{}: Zeile {}: Achse {} stünde bei {} {}, ihr Weg endet bei {} {}</translation>
+    </message>
+    <message>
+        <source>Poses count from where the axes stand: move them nearer to the middle first. Nothing moved.</source>
+        <translation>Lagen zählen vom Stand der Achsen: sie zuerst näher zur Mitte bewegen. Es hat sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>a table moves the axes of its columns</source>
+        <translation>eine Tabelle bewegt die Achsen ihrer Spalten</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>It swings out between two rows: use more even times, or a pause. Nothing moved.</source>
+        <translation>Sie schwingt zwischen zwei Zeilen aus: gleichmäßigere Zeiten oder eine Pause verwenden. Es hat sich nichts bewegt.</translation>
     </message>
 </context>
 <context>
@@ -12171,6 +12535,34 @@ sind Rampen mit Tippgeschwindigkeit.</translation>
     <message>
         <source>jogging</source>
         <translation>Tippbetrieb</translation>
+    </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>s-curve</source>
+        <translation>S-Kurve</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>raster</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>table of poses</source>
+        <translation>Tabelle von Lagen</translation>
     </message>
 </context>
 <context>
@@ -22298,6 +22690,140 @@ Hall B
     <message>
         <source>Step %1 of %2</source>
         <translation>Schritt %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PathForm</name>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Umläufe</translation>
+    </message>
+    <message>
+        <source>Line length</source>
+        <translation>Zeilenlänge</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Line spacing</source>
+        <translation>Zeilenabstand</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Raster</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Bogen</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Strecke</translation>
+    </message>
+    <message>
+        <source>Table of poses</source>
+        <translation>Tabelle von Lagen</translation>
+    </message>
+    <message>
+        <source>No file</source>
+        <translation>Keine Datei</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>Datei wählen…</translation>
+    </message>
+    <message>
+        <source>CSV with columns like time_s, x_mm, phi_mrad</source>
+        <translation>CSV mit Spalten wie time_s, x_mm, phi_mrad</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>%1; 0: no limit</source>
+        <translation>%1; 0: keine Grenze</translation>
+    </message>
+    <message>
+        <source>No table of poses is chosen.</source>
+        <translation>Keine Tabelle von Lagen gewählt.</translation>
+    </message>
+    <message>
+        <source>Choose a CSV file.</source>
+        <translation>Eine CSV-Datei wählen.</translation>
+    </message>
+    <message>
+        <source>Travel time: %1 s</source>
+        <translation>Fahrzeit: %1 s</translation>
+    </message>
+    <message>
+        <source>Rotation speed</source>
+        <translation>Drehgeschwindigk.</translation>
+    </message>
+    <message>
+        <source>Rotation accel.</source>
+        <translation>Drehbeschleunig.</translation>
+    </message>
+    <message>
+        <source>Rotation jerk</source>
+        <translation>Drehruck</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Ruck</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PathRun</name>
+    <message>
+        <source>Choose a table of poses</source>
+        <translation>Tabelle von Lagen wählen</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt)</source>
+        <translation>Tabellen (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Moves together: %1.</source>
+        <translation>Bewegt gemeinsam: %1.</translation>
+    </message>
+    <message>
+        <source>Above the limit: the device may stop.</source>
+        <translation>Über dem Grenzwert: Das Gerät kann stoppen.</translation>
     </message>
 </context>
 </TS>

@@ -203,10 +203,6 @@
         <translation>光栅的</translation>
     </message>
     <message>
-        <source>Path that x and y follow from the next start on, once, instead of their references</source>
-        <translation>下一次启动起 x 和 y 一次性跟随的轨迹，代替各自的参考</translation>
-    </message>
-    <message>
         <source>Speed along the path: with jumps of the acceleration or with a largest jerk</source>
         <translation>沿轨迹的速度：加速度有跳变，或加加速度受限</translation>
     </message>
@@ -3789,22 +3785,6 @@
     <message>
         <source>phases of a multisine; 0: those of least peak</source>
         <translation>多正弦的相位；0：峰值最小的相位</translation>
-    </message>
-    <message>
-        <source>of a raster</source>
-        <translation>光栅的行数</translation>
-    </message>
-    <message>
-        <source>of a raster: from line to line along the second axis</source>
-        <translation>光栅：沿第二轴的行距</translation>
-    </message>
-    <message>
-        <source>of a raster: length of a line along the first axis</source>
-        <translation>光栅：沿第一轴的行长</translation>
-    </message>
-    <message>
-        <source>of a circle</source>
-        <translation>圆的圈数</translation>
     </message>
     <message>
         <source>largest jerk of an S-curve or path</source>
@@ -9499,22 +9479,6 @@
         <translation>直线的长度</translation>
     </message>
     <message>
-        <source>of a circle, whose centre lies so far along the first axis, or of an arc</source>
-        <translation>圆（圆心沿第一轴相距此值）或圆弧的半径</translation>
-    </message>
-    <message>
-        <source>of an arc, counter-clockwise</source>
-        <translation>圆弧的角度，逆时针为正</translation>
-    </message>
-    <message>
-        <source>direction in which arc and line begin, from the first axis to the second</source>
-        <translation>圆弧和直线的起始方向，从第一轴转向第二轴</translation>
-    </message>
-    <message>
-        <source>of a line</source>
-        <translation>直线的长度</translation>
-    </message>
-    <message>
         <source>the heading of a path is not a number</source>
         <translation>路径的起始方向不是数字</translation>
     </message>
@@ -10181,6 +10145,406 @@
     <message>
         <source>the sample recording cannot be copied to &apos;{}&apos;: {}</source>
         <translation>无法将示例记录复制到 &apos;{}&apos;：{}</translation>
+    </message>
+    <message>
+        <source>Path that x and y (of a table all axes) follow from the next start on, once, instead of references</source>
+        <translation>x 和 y（表格时为所有轴）从下次启动起跟随一次的轨迹，替代参考信号</translation>
+    </message>
+    <message>
+        <source>Where a piece begins, from where the motion began</source>
+        <translation>一段的起点，自运动起点计</translation>
+    </message>
+    <message>
+        <source>At the beginning of the piece</source>
+        <translation>段起点处的值</translation>
+    </message>
+    <message>
+        <source>During the piece</source>
+        <translation>段内的值</translation>
+    </message>
+    <message>
+        <source>How long the piece lasts</source>
+        <translation>段的时长</translation>
+    </message>
+    <message>
+        <source>Writing n stores the piece as number n of the table</source>
+        <translation>写入 n 将该段存为表格第 n 段</translation>
+    </message>
+    <message>
+        <source>Pieces that path.shape = table follows</source>
+        <translation>path.shape = table 时跟随的段数</translation>
+    </message>
+    <message>
+        <source>a motion without poses</source>
+        <translation>运动没有位姿</translation>
+    </message>
+    <message>
+        <source>Give at least one pose.</source>
+        <translation>请至少给出一个位姿。</translation>
+    </message>
+    <message>
+        <source>poses with different numbers of axes</source>
+        <translation>各位姿的轴数不同</translation>
+    </message>
+    <message>
+        <source>Give every axis in every row.</source>
+        <translation>请在每一行给出每个轴。</translation>
+    </message>
+    <message>
+        <source>a pose is not a number</source>
+        <translation>某个位姿不是数字</translation>
+    </message>
+    <message>
+        <source>Give finite poses.</source>
+        <translation>请给出有限的位姿。</translation>
+    </message>
+    <message>
+        <source>the poses move nothing</source>
+        <translation>这些位姿不产生运动</translation>
+    </message>
+    <message>
+        <source>Poses count from where the axes stand: give one that differs from 0.</source>
+        <translation>位姿从各轴当前位置计：请给出一个非 0 的位姿。</translation>
+    </message>
+    <message>
+        <source>not as many times as poses</source>
+        <translation>时间与位姿的数目不同</translation>
+    </message>
+    <message>
+        <source>Give a time for every pose.</source>
+        <translation>请为每个位姿给出时间。</translation>
+    </message>
+    <message>
+        <source>a time of a pose is not a number</source>
+        <translation>某个位姿的时间不是数字</translation>
+    </message>
+    <message>
+        <source>Give finite times.</source>
+        <translation>请给出有限的时间。</translation>
+    </message>
+    <message>
+        <source>the times of poses do not increase</source>
+        <translation>位姿的时间没有递增</translation>
+    </message>
+    <message>
+        <source>Sort the rows; times begin at 0 or later.</source>
+        <translation>请对各行排序；时间从 0 或更晚开始。</translation>
+    </message>
+    <message>
+        <source>at time 0 the pose is not 0</source>
+        <translation>时间 0 处的位姿不为 0</translation>
+    </message>
+    <message>
+        <source>Poses count from where the axes stand when they start: begin with zeros, or later.</source>
+        <translation>位姿从启动时各轴的位置计：请以零开始，或推迟开始时间。</translation>
+    </message>
+    <message>
+        <source>radius; of a circle the centre lies along the first axis</source>
+        <translation>半径；圆的圆心位于第一轴方向</translation>
+    </message>
+    <message>
+        <source>turns of a circle</source>
+        <translation>圆的圈数</translation>
+    </message>
+    <message>
+        <source>length of the lines of a raster, along the first axis</source>
+        <translation>栅格各行的长度，沿第一轴</translation>
+    </message>
+    <message>
+        <source>from line to line of a raster, along the second axis</source>
+        <translation>栅格行间距，沿第二轴</translation>
+    </message>
+    <message>
+        <source>lines of a raster</source>
+        <translation>栅格的行数</translation>
+    </message>
+    <message>
+        <source>angle of an arc, counter-clockwise</source>
+        <translation>圆弧的角度，逆时针</translation>
+    </message>
+    <message>
+        <source>start direction of arc and line, from first to second axis</source>
+        <translation>圆弧和直线的起始方向，从第一轴转向第二轴</translation>
+    </message>
+    <message>
+        <source>length of a line</source>
+        <translation>直线的长度</translation>
+    </message>
+    <message>
+        <source>rest in every row of a table without time_s</source>
+        <translation>无 time_s 的表格在每行的停留时间</translation>
+    </message>
+    <message>
+        <source>a {} has no file</source>
+        <translation>{} 没有文件</translation>
+    </message>
+    <message>
+        <source>Only a table has a file of poses.</source>
+        <translation>只有表格才有位姿文件。</translation>
+    </message>
+    <message>
+        <source>Write a header like time_s,x_mm,y_mm,phi_mrad.</source>
+        <translation>请写出类似 time_s,x_mm,y_mm,phi_mrad 的表头。</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos; has no unit in its name</source>
+        <translation>列“{}”的名称中没有单位</translation>
+    </message>
+    <message>
+        <source>column &apos;{}&apos;: &apos;{}&apos; is no unit of a {}</source>
+        <translation>列“{}”：“{}”不是{}的单位</translation>
+    </message>
+    <message>
+        <source>length or an angle</source>
+        <translation>长度或角度</translation>
+    </message>
+    <message>
+        <source>Write time_s or time_ms.</source>
+        <translation>请写 time_s 或 time_ms。</translation>
+    </message>
+    <message>
+        <source>Write e.g. x_mm, x_m, phi_mrad or phi_deg.</source>
+        <translation>请写例如 x_mm、x_m、phi_mrad 或 phi_deg。</translation>
+    </message>
+    <message>
+        <source>At most {} are read.</source>
+        <translation>最多读取 {} 个。</translation>
+    </message>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>带引号的单元格没有结束</translation>
+    </message>
+    <message>
+        <source>Write numbers without quotes.</source>
+        <translation>请不要给数字加引号。</translation>
+    </message>
+    <message>
+        <source>the time is given twice</source>
+        <translation>时间给出了两次</translation>
+    </message>
+    <message>
+        <source>axis {} is given twice, as {} and {}</source>
+        <translation>轴 {} 给出了两次：{} 和 {}</translation>
+    </message>
+    <message>
+        <source>Keep one of the columns.</source>
+        <translation>请只保留其中一列。</translation>
+    </message>
+    <message>
+        <source>the table has no column of an axis</source>
+        <translation>表格中没有轴的列</translation>
+    </message>
+    <message>
+        <source>{} has no value</source>
+        <translation>{} 没有值</translation>
+    </message>
+    <message>
+        <source>&apos;{}&apos; is not a finite number ({})</source>
+        <translation>“{}”不是有限的数字（{}）</translation>
+    </message>
+    <message>
+        <source>Write numbers like -1{}5e-3 in every cell.</source>
+        <translation>请在每个单元格写入类似 -1{}5e-3 的数字。</translation>
+    </message>
+    <message>
+        <source>the time is negative</source>
+        <translation>时间为负</translation>
+    </message>
+    <message>
+        <source>Times count from the start of the motion.</source>
+        <translation>时间从运动开始计。</translation>
+    </message>
+    <message>
+        <source>time {} s comes after {} s</source>
+        <translation>时间 {} s 出现在 {} s 之后</translation>
+    </message>
+    <message>
+        <source>Sort the rows by time, each time once.</source>
+        <translation>请按时间对各行排序，每个时间只出现一次。</translation>
+    </message>
+    <message>
+        <source>more than {} rows</source>
+        <translation>超过 {} 行</translation>
+    </message>
+    <message>
+        <source>Split the table.</source>
+        <translation>请拆分表格。</translation>
+    </message>
+    <message>
+        <source>{} cells, but the header has {} columns</source>
+        <translation>有 {} 个单元格，但表头有 {} 列</translation>
+    </message>
+    <message>
+        <source>Give every column a value; the separator is that of the header.</source>
+        <translation>请为每一列给出值；分隔符与表头相同。</translation>
+    </message>
+    <message>
+        <source>the table has no rows</source>
+        <translation>表格没有数据行</translation>
+    </message>
+    <message>
+        <source>the table has one row only</source>
+        <translation>表格只有一行</translation>
+    </message>
+    <message>
+        <source>Give two poses or more, a line each. For one pose use a travel, e.g. s-curve.</source>
+        <translation>请给出两个或更多位姿，每行一个。单个位姿请使用行程，例如 s-curve。</translation>
+    </message>
+    <message>
+        <source>{}: the table has {} octets, {} are read</source>
+        <translation>{}：表格有 {} 字节，最多读取 {}</translation>
+    </message>
+    <message>
+        <source>Split the table; {} rows are the most.</source>
+        <translation>请拆分表格；最多 {} 行。</translation>
+    </message>
+    <message>
+        <source>{}: the file is no text</source>
+        <translation>{}：文件不是文本</translation>
+    </message>
+    <message>
+        <source>without time_s the way to {} needs {}</source>
+        <translation>没有 time_s 时，到 {} 的运动需要 {}</translation>
+    </message>
+    <message>
+        <source>Add {}=... to the reference, or a column time_s to the table.</source>
+        <translation>请在参考信号中加入 {}=...，或在表格中加入 time_s 列。</translation>
+    </message>
+    <message>
+        <source>{}: row {}: axis {} {} {} {}{}, the limit is {} {}{} ({})</source>
+        <translation>{}：第 {} 行：轴 {} {} {} {}{}，限值为 {} {}{}（{}）</translation>
+    </message>
+    <message>
+        <source>Use poses nearer to the start, or a wider window. Nothing moved.</source>
+        <translation>请使用更靠近起点的位姿，或加大窗口。没有任何运动。</translation>
+    </message>
+    <message>
+        <source>Give the row more time, or bring it nearer to the one before. Nothing moved.</source>
+        <translation>请给该行更多时间，或使其更接近前一行。没有任何运动。</translation>
+    </message>
+    <message>
+        <source>moves at</source>
+        <translation>的速度为</translation>
+    </message>
+    <message>
+        <source>rate of the reference</source>
+        <translation>参考信号的 rate</translation>
+    </message>
+    <message>
+        <source>accelerates at</source>
+        <translation>的加速度为</translation>
+    </message>
+    <message>
+        <source>acceleration of the reference</source>
+        <translation>参考信号的 acceleration</translation>
+    </message>
+    <message>
+        <source>has a jerk of</source>
+        <translation>的加加速度为</translation>
+    </message>
+    <message>
+        <source>jerk of the reference</source>
+        <translation>参考信号的 jerk</translation>
+    </message>
+    <message>
+        <source>dwell_s is for tables without time_s</source>
+        <translation>dwell_s 用于没有 time_s 的表格</translation>
+    </message>
+    <message>
+        <source>Leave it out: two rows with the same pose are a pause.</source>
+        <translation>请省略：两行相同的位姿即为停顿。</translation>
+    </message>
+    <message>
+        <source>{}: the device has no axis &apos;{}&apos; ({})</source>
+        <translation>{}：设备没有轴“{}”（{}）</translation>
+    </message>
+    <message>
+        <source>Its axes: {}.</source>
+        <translation>它的轴：{}。</translation>
+    </message>
+    <message>
+        <source>{}: axis {} is in {}, not in {} ({})</source>
+        <translation>{}：轴 {} 的单位是 {}，不是 {}（{}）</translation>
+    </message>
+    <message>
+        <source>Name the column {}_{}.</source>
+        <translation>请将该列命名为 {}_{}。</translation>
+    </message>
+    <message>
+        <source>{}: the way takes {} pieces, the board has room for {}</source>
+        <translation>{}：该运动需要 {} 段，控制板可容纳 {} 段</translation>
+    </message>
+    <message>
+        <source>Split the table, or use fewer rows.</source>
+        <translation>请拆分表格，或减少行数。</translation>
+    </message>
+    <message>
+        <source>{}: row {}: the way takes {} s, the board takes up to {} s</source>
+        <translation>{}：第 {} 行：该段运动需要 {} s，控制板最多接受 {} s</translation>
+    </message>
+    <message>
+        <source>Add rows in between.</source>
+        <translation>请在中间加入行。</translation>
+    </message>
+    <message>
+        <source>a table needs file</source>
+        <translation>表格需要 file</translation>
+    </message>
+    <message>
+        <source>Add file=POSES.csv to the reference.</source>
+        <translation>请在参考信号中加入 file=POSES.csv。</translation>
+    </message>
+    <message>
+        <source>a table has no amplitude and no constant motion</source>
+        <translation>表格没有幅值，也没有匀速运动</translation>
+    </message>
+    <message>
+        <source>Write both into its rows.</source>
+        <translation>请将二者写入各行。</translation>
+    </message>
+    <message>
+        <source>this device follows no table of poses</source>
+        <translation>该设备不支持位姿表</translation>
+    </message>
+    <message>
+        <source>Move one axis: a step, a ramp, a staircase.</source>
+        <translation>请移动单个轴：阶跃、斜坡、阶梯。</translation>
+    </message>
+    <message>
+        <source>the table of the reference was not read</source>
+        <translation>尚未读取参考信号的表格</translation>
+    </message>
+    <message>
+        <source>Read the file before the move.</source>
+        <translation>请在运动前读取文件。</translation>
+    </message>
+    <message>
+        <source>goes as far as</source>
+        <translation>到达</translation>
+    </message>
+    <message>
+        <source>largest force over inertia</source>
+        <translation>最大力除以惯量</translation>
+    </message>
+    <message>
+        <source>{}: row {}: axis {} would stand at {} {}, its travel ends at {} {}</source>
+        <translation>{}：第 {} 行：轴 {} 将位于 {} {}，其行程止于 {} {}</translation>
+    </message>
+    <message>
+        <source>Poses count from where the axes stand: move them nearer to the middle first. Nothing moved.</source>
+        <translation>位姿从各轴当前位置计：请先将其移近中间。没有任何运动。</translation>
+    </message>
+    <message>
+        <source>a table moves the axes of its columns</source>
+        <translation>表格移动其各列对应的轴</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>表格</translation>
+    </message>
+    <message>
+        <source>It swings out between two rows: use more even times, or a pause. Nothing moved.</source>
+        <translation>轴在两行之间摆出：请使用更均匀的时间，或加入停顿。没有任何运动。</translation>
     </message>
 </context>
 <context>
@@ -12166,6 +12530,34 @@ are ramps at jog speed.</source>
     <message>
         <source>jogging</source>
         <translation>点动</translation>
+    </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>梯形</translation>
+    </message>
+    <message>
+        <source>s-curve</source>
+        <translation>S 曲线</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>圆</translation>
+    </message>
+    <message>
+        <source>raster</source>
+        <translation>栅格</translation>
+    </message>
+    <message>
+        <source>arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>table of poses</source>
+        <translation>位姿表</translation>
     </message>
 </context>
 <context>
@@ -22283,6 +22675,140 @@ Hall B
     <message>
         <source>Step %1 of %2</source>
         <translation>第 %1 步，共 %2 步</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PathForm</name>
+    <message>
+        <source>Radius</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>圈数</translation>
+    </message>
+    <message>
+        <source>Line length</source>
+        <translation>行长</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Line spacing</source>
+        <translation>行距</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>长度</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>停留时间</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>圆</translation>
+    </message>
+    <message>
+        <source>Raster</source>
+        <translation>栅格</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>圆弧</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>直线</translation>
+    </message>
+    <message>
+        <source>Table of poses</source>
+        <translation>位姿表</translation>
+    </message>
+    <message>
+        <source>No file</source>
+        <translation>无文件</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>选择文件…</translation>
+    </message>
+    <message>
+        <source>CSV with columns like time_s, x_mm, phi_mrad</source>
+        <translation>含 time_s、x_mm、phi_mrad 等列的 CSV</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>%1; 0: no limit</source>
+        <translation>%1；0：无限值</translation>
+    </message>
+    <message>
+        <source>No table of poses is chosen.</source>
+        <translation>未选择位姿表。</translation>
+    </message>
+    <message>
+        <source>Choose a CSV file.</source>
+        <translation>请选择 CSV 文件。</translation>
+    </message>
+    <message>
+        <source>Travel time: %1 s</source>
+        <translation>行程时间：%1 s</translation>
+    </message>
+    <message>
+        <source>Rotation speed</source>
+        <translation>旋转速度</translation>
+    </message>
+    <message>
+        <source>Rotation accel.</source>
+        <translation>旋转加速度</translation>
+    </message>
+    <message>
+        <source>Rotation jerk</source>
+        <translation>旋转加加速度</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>加加速度</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::PathRun</name>
+    <message>
+        <source>Choose a table of poses</source>
+        <translation>选择位姿表</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv *.txt)</source>
+        <translation>表格 (*.csv *.txt)</translation>
+    </message>
+    <message>
+        <source>Moves together: %1.</source>
+        <translation>同时移动：%1。</translation>
+    </message>
+    <message>
+        <source>Above the limit: the device may stop.</source>
+        <translation>超出限值：设备可能会停止。</translation>
     </message>
 </context>
 </TS>

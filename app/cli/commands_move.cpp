@@ -1,6 +1,7 @@
 #include "app/cli/command_support.h"
 #include "app/cli/commands.h"
 #include "app/documents/axis_model_file.h"
+#include "app/documents/pose_table_file.h"
 #include "app/documents/result_documents.h"
 #include "app/documents/text/numbers.h"
 #include "app/headless/command_header.h"
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 #include <vector>
 
@@ -40,10 +42,40 @@ std::string crossAxisText(const MoveResult& result) {
     return text;
 }
 
+/// The further axes of a path or table.
+std::string partnersText(const MoveResult& result) {
+    std::string text;
+    for (const PartnerResult& partner : result.partners) {
+        const std::string of = " position of axis " + partner.axis.id;
+        const std::string& unit = partner.axis.positionUnit;
+        text += partner.truth ? figureLines("true" + of, moveFigures(*partner.truth, unit)) : std::string();
+        text += figureLines("measured" + of, moveFigures(partner.measured, unit));
+    }
+    return text;
+}
+
+/// The worst row of a table; nothing of other references. All of them are in the document.
+std::string rowsText(const MoveResult& result) {
+    const std::vector<RowFigures>& rows = result.figures().rows;
+    if (rows.empty()) {
+        return {};
+    }
+    double error = 0.0;
+    std::optional<double> settling_s;
+    for (const RowFigures& row : rows) {
+        error = std::max(error, std::fabs(row.error));
+        settling_s = row.settlingTime_s ? std::max(row.settlingTime_s, settling_s) : settling_s;
+    }
+    JsonValue worst = JsonValue::object();
+    worst.set("largest_error_" + result.axis.positionUnit, error);
+    worst.set("longest_settling_time_s", settling_s ? JsonValue(*settling_s) : JsonValue());
+    return figureLines(fmt::format("{} rows of the table, axis {}", rows.size(), result.axis.id), worst);
+}
+
 /// A simulated device knows its true position; what is measured of any other is all there is.
 std::string moveText(const MoveResult& result) {
     constexpr std::string_view Measured = "measured_";
-    const bool isOneOfSeveral = !result.others.empty();
+    const bool isOneOfSeveral = result.isOneOfSeveral();
     const JsonValue first = isOneOfSeveral ? moveFigures(result.figures(), result.axis.positionUnit)
                                            : moveFigures(result.figures());
     JsonValue measured = JsonValue::object();
@@ -59,9 +91,10 @@ std::string moveText(const MoveResult& result) {
     const std::string of = isOneOfSeveral ? " of axis " + result.axis.id : std::string();
     const std::string truth = isOneOfSeveral ? "true position" + of : "true position of the simulated rotor";
     std::string text = result.truth ? figureLines(truth, first) : std::string();
-    text += figureLines("measured position" + of, measured) + figureLines("drive", rest);
-    if (result.path) {
-        text += figureLines("distance from the path", contourBody(*result.path));
+    text += figureLines("measured position" + of, measured) + rowsText(result) + partnersText(result);
+    text += figureLines("drive", rest);
+    if (result.contour) {
+        text += figureLines("distance from the path", contourBody(*result.contour));
     }
     return text + crossAxisText(result) + findingLines(result.quality);
 }
@@ -69,7 +102,7 @@ std::string moveText(const MoveResult& result) {
 /// The axes that are meant, all of which the reference suits, before the first one moves.
 Result<std::vector<std::string>> movedAxesOf(const MoveOptions& options, const MoveReference& reference,
                                              const devices::Device& device) {
-    if (options.axis != "all" || isPath(reference)) {
+    if (options.axis != "all" || movesSeveralAxes(reference)) {
         return std::vector<std::string>{options.axis};
     }
     const auto axes = chosenAxes(device.catalogue(), options.axis);
@@ -162,7 +195,7 @@ std::string predictedText(const MovedAxis& moved) {
                            : std::string();
 }
 
-/// A travel and a path end by themselves.
+/// A travel, a path and a table end by themselves.
 Result<double> durationOf(const MoveOptions& options, const MoveReference& reference) {
     if (!options.duration.empty()) {
         return numberOption("--duration", options.duration);
@@ -182,9 +215,12 @@ void tellTravel(Console& console, const MoveReference& reference) {
 }
 
 CommandResult runMoveCommand(CommandContext& context, const MoveOptions& options) {
-    const Result<MoveReference> reference = parseMoveReference(options.reference);
+    Result<MoveReference> reference = parseMoveReference(options.reference);
     if (!reference) {
         return failure(reference.error());
+    }
+    if (const Result<void> read = readTableOf(*reference); !read) {
+        return failure(read.error());
     }
     const Result<double> duration = durationOf(options, *reference);
     if (!duration) {
@@ -215,7 +251,7 @@ CommandResult runMoveCommand(CommandContext& context, const MoveOptions& options
     JsonValue axes = JsonValue::array();
     for (const MovedAxis& each : *moved) {
         context.console.print(moveText(each.result) + predictedText(each));
-        if (each.result.others.empty()) {
+        if (!each.result.isOneOfSeveral()) {
             document.set("figures", moveBody(each.result));
         } else {
             const JsonValue moves = movedAxes(each.result, each.predicted);
@@ -223,8 +259,8 @@ CommandResult runMoveCommand(CommandContext& context, const MoveOptions& options
                 axes.push(one);
             }
         }
-        if (each.result.path) {
-            document.set("contour", contourBody(*each.result.path));
+        if (each.result.contour) {
+            document.set("contour", contourBody(*each.result.contour));
         }
     }
     if (!axes.items().empty()) {
@@ -240,13 +276,14 @@ void addOptions(CommandSyntax& syntax, MoveOptions& options) {
     syntax.device(options.device);
     syntax.option("--reference", options.reference,
                   "step,amplitude_deg=100; s-curve,amplitude_mm=5,rate_mm_s=50,...; circle; raster; arc; "
-                  "line; rest ...",
+                  "line; table,file=POSES.csv; rest ...",
                   "SHAPE,KEY=VALUE...", Presence::Required);
     syntax.option("--axis", options.axis,
                   "Which axis moves, on a device with several; all: one after the other", "NAME|all");
     syntax.option("--model", options.model, "Model of the axes: the move is predicted too", "MODEL.json");
     syntax.option("--duration", options.duration,
-                  "Seconds; default of trapezoid, s-curve and of paths: the travel and 1 s of rest", "S");
+                  "Seconds; default of trapezoid, s-curve, paths and tables: the travel and 1 s of rest",
+                  "S");
     syntax.recording("--out", options.out, "Recording");
 }
 

@@ -131,6 +131,7 @@ Result<void> checkKeepsInputsOf(const Experiment& experiment, const std::string&
         for (const auto& [key, value] : step.keys.members) {
             named.push_back(value.text); // a model, a placement, a calibration
         }
+        named.push_back(step.text("reference.file").value_or("")); // a table of poses
     }
     CommandOutputs outputs{{}, {}, folder};
     outputs.inputs = namedInputs(outputs, std::move(named));

@@ -129,19 +129,34 @@ JsonValue stairsBody(const MoveResult& result, const std::string& unit) {
     return stairs;
 }
 
+JsonValue rowsBody(const MoveResult& result, const std::string& unit) {
+    JsonValue rows = JsonValue::array();
+    for (std::size_t i = 0; i < result.figures().rows.size(); ++i) {
+        const RowFigures& row = result.figures().rows[i];
+        const RowFigures& measured = result.measured.rows[i];
+        JsonValue entry = JsonValue::object();
+        entry.set("line", static_cast<double>(row.line)).set("arrival_s", finiteOrNull(row.arrival_s));
+        entry.set("error_" + unit, finiteOrNull(row.error));
+        entry.set("measured_error_" + unit, finiteOrNull(measured.error));
+        entry.set("settling_time_s", finiteOrNull(row.settlingTime_s));
+        rows.push(entry.set("measured_settling_time_s", finiteOrNull(measured.settlingTime_s)));
+    }
+    return rows;
+}
+
 } // namespace
 
-JsonValue contourBody(const PathResult& path) {
-    const std::string& unit = path.axis.positionUnit;
-    const ContourError& error = path.trueContour ? *path.trueContour : path.measuredContour;
+JsonValue contourBody(const ContourResult& contour) {
+    const std::string& unit = contour.unit;
+    const ContourError& error = contour.truth ? *contour.truth : contour.measured;
     JsonValue body = JsonValue::object();
     body.set("rms_" + unit, finiteOrNull(error.rms)).set("peak_" + unit, finiteOrNull(error.peak));
-    body.set("measured_rms_" + unit, finiteOrNull(path.measuredContour.rms));
-    return body.set("measured_peak_" + unit, finiteOrNull(path.measuredContour.peak));
+    body.set("measured_rms_" + unit, finiteOrNull(contour.measured.rms));
+    return body.set("measured_peak_" + unit, finiteOrNull(contour.measured.peak));
 }
 
 JsonValue moveBody(const MoveResult& result) {
-    const bool isOneOfSeveral = !result.others.empty();
+    const bool isOneOfSeveral = result.isOneOfSeveral();
     const std::string unit = isOneOfSeveral ? result.axis.positionUnit : std::string("deg");
     JsonValue body = moveFigures(result.figures(), unit);
     const JsonValue measured = moveFigures(result.measured, unit);
@@ -153,6 +168,7 @@ JsonValue moveBody(const MoveResult& result) {
         body.set("peak_effort_" + suffixOf(result.axis.effortUnit), finiteOrNull(result.peakEffort));
         body.set("travel_s", finiteOrNull(result.travel_s));
         body.set("stairs", result.measured.stairs.empty() ? JsonValue() : stairsBody(result, unit));
+        body.set("rows", result.measured.rows.empty() ? JsonValue() : rowsBody(result, unit));
     } else {
         body.set("lock_threshold_deg", degreesOrNull(result.lockThreshold));
     }
@@ -184,19 +200,20 @@ JsonValue movedAxis(const MoveResult& result, const std::optional<MoveFigures>& 
     return entry.set("cross_axes", crossAxes(result));
 }
 
-/// As if the second axis of a path were the one that moved.
-MoveResult secondOf(const MoveResult& result) {
-    MoveResult second;
-    second.axis = result.path->axis;
-    second.measured = result.path->measured;
-    second.truth = result.path->truth;
-    second.peakEffort = result.path->peakEffort;
-    second.lockThreshold = result.lockThreshold;
-    second.others = result.others;
-    second.travel_s = result.travel_s;
-    second.peakCurrent_A = result.peakCurrent_A;
-    second.highestTemperature_degC = result.highestTemperature_degC;
-    return second;
+/// As if a further axis of a path or table were the one that moved.
+MoveResult asMoved(const PartnerResult& partner, const MoveResult& result) {
+    MoveResult moved;
+    moved.axis = partner.axis;
+    moved.measured = partner.measured;
+    moved.truth = partner.truth;
+    moved.peakEffort = partner.peakEffort;
+    moved.lockThreshold = result.lockThreshold;
+    moved.others = result.others;
+    moved.partners = result.partners;
+    moved.travel_s = result.travel_s;
+    moved.peakCurrent_A = result.peakCurrent_A;
+    moved.highestTemperature_degC = result.highestTemperature_degC;
+    return moved;
 }
 
 } // namespace
@@ -204,8 +221,8 @@ MoveResult secondOf(const MoveResult& result) {
 JsonValue movedAxes(const MoveResult& result, const std::optional<MoveFigures>& predicted) {
     JsonValue axes = JsonValue::array();
     axes.push(movedAxis(result, predicted));
-    if (result.path) {
-        axes.push(movedAxis(secondOf(result), std::nullopt));
+    for (const PartnerResult& partner : result.partners) {
+        axes.push(movedAxis(asMoved(partner, result), std::nullopt));
     }
     return axes;
 }

@@ -45,7 +45,7 @@ JsonValue moveBody(const MoveResult& result);
 /// one is known, and how far the others went.
 JsonValue movedAxes(const MoveResult& result, const std::optional<MoveFigures>& predicted = {});
 /// How near both axes of a path kept to it.
-JsonValue contourBody(const PathResult& path);
+JsonValue contourBody(const ContourResult& contour);
 /// The figures of a move that was repeated; it holds at least one run. `unit`: "deg", or the position unit of
 /// an axis.
 JsonValue repetitionBody(const MoveRepetition& repetition, const std::string& unit = "deg");

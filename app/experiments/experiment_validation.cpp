@@ -229,11 +229,19 @@ std::vector<std::string> keysWith(const ConfigNode& table, std::string_view stem
     return keys;
 }
 
-/// An amplitude, a rate and a base are each written in one unit.
+bool isOfAngle(const std::string& key) {
+    return key.find("rad") != std::string::npos || key.find("deg") != std::string::npos;
+}
+
+/// An amplitude, a rate and a base are each written in one unit; a table may have a rate of lengths and one
+/// of angles.
 Result<void> checkReferenceUnits(const ConfigNode* reference) {
+    const ConfigNode* shape = reference != nullptr ? reference->find("shape") : nullptr;
+    const bool isOfTable = shape != nullptr && shape->text == "table";
     for (const std::string_view stem : {"amplitude_", "rate_", "base_"}) {
         const auto keys = reference != nullptr ? keysWith(*reference, stem) : std::vector<std::string>();
-        if (keys.size() > 1) {
+        const bool isOfBoth = isOfTable && keys.size() == 2 && isOfAngle(keys[0]) != isOfAngle(keys[1]);
+        if (keys.size() > 1 && !isOfBoth) {
             return complaint(*reference, fmt::format("'{}' and '{}' exclude each other", keys[0], keys[1]),
                              "give one");
         }

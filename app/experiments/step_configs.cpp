@@ -1,5 +1,6 @@
 #include "app/experiments/step_configs.h"
 
+#include "app/documents/pose_table_file.h"
 #include "app/documents/presets.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/procedure_choices.h"
@@ -118,6 +119,15 @@ Result<void> checkPreset(const ExperimentStep& step, const devices::Catalogue& c
                   : at(*step.find("preset"), preset.error());
 }
 
+/// One member of a step's reference; a file is a text, all else a number.
+Result<void> setReferenceKey(MoveReference& reference, const ConfigNode::Member& member) {
+    if (member.first == "shape") {
+        return {};
+    }
+    return member.first == FileKey ? setMoveReferenceFile(reference, member.second.text)
+                                   : setMoveReference(reference, member.first, member.second.number);
+}
+
 Result<void> checkStep(const ExperimentStep& step, const devices::Catalogue& catalogue,
                        const std::string& model) {
     if (step.kind == "identify") {
@@ -218,15 +228,16 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
     }
     config.reference.shape = *shape;
     for (const ConfigNode::Member& member : reference.members) {
-        const Result<void> set = member.first == "shape"
-                                     ? Result<void>()
-                                     : setMoveReference(config.reference, member.first, member.second.number);
+        const Result<void> set = setReferenceKey(config.reference, member);
         if (!set) {
             return at(member.second, set.error());
         }
     }
     if (const Result<void> valid = checkMoveReference(config.reference); !valid) {
         return at(reference, valid.error());
+    }
+    if (const Result<void> read = readTableOf(config.reference); !read) {
+        return at(*reference.find("file"), read.error());
     }
     config.axis = step.text("axis").value_or("");
     const auto duration_s = step.number("duration_s");
@@ -235,7 +246,7 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
         return at(step.keys,
                   Error{ErrorCode::InvalidInput,
                         fmt::format("a {} needs duration_s", moveShapeName(config.reference.shape)),
-                        "Only travels and paths end by themselves."});
+                        "Only travels, paths and tables end by themselves."});
     }
     config.duration_s = duration_s ? *duration_s : *travel_s;
     config.evaluateFrom_s = step.number("evaluate_from_s");
@@ -254,6 +265,10 @@ Result<void> checkAxisOf(const devices::Catalogue& catalogue, const ExperimentSt
     if (isPath(config->reference)) {
         const auto axes = pathAxes(catalogue);
         return axes ? Result<void>() : failure(axes.error());
+    }
+    if (isTable(config->reference)) {
+        const auto axes = tableAxes(catalogue, config->reference);
+        return axes ? Result<void>() : at(*step.find("reference.file"), axes.error());
     }
     const Result<devices::AxisSpec> axis = chosenAxis(catalogue, config->axis);
     const Result<void> suits = axis ? checkQuantity(config->reference, *axis) : failure(axis.error());
@@ -278,7 +293,7 @@ Result<RepeatConfig> repeatConfigOf(const devices::Catalogue& catalogue, const E
     if (!config) {
         return failure(config.error());
     }
-    const bool isOfPath = isPath(config->reference);
+    const bool isOfPath = movesSeveralAxes(config->reference);
     const auto axis = chosenAxis(catalogue, isOfPath ? catalogue.axes.front().id : config->axis);
     if (!axis) {
         return failure(axis.error());

@@ -103,15 +103,15 @@ Result<StepOutcome> runMoveStep(StepRun& run, const ExperimentStep& step) {
     }
     StepOutcome outcome;
     outcome.quality = result->last.quality;
-    if (result->last.others.empty()) {
+    if (!result->last.isOneOfSeveral()) {
         outcome.body = moveBody(result->last);
     } else {
         outcome.body.set("axes", movedAxes(result->last, *predicted));
     }
-    if (result->last.path) {
-        outcome.body.set("contour", contourBody(*result->last.path));
+    if (result->last.contour) {
+        outcome.body.set("contour", contourBody(*result->last.contour));
     }
-    const bool isOneOfSeveral = !result->last.others.empty();
+    const bool isOneOfSeveral = result->last.isOneOfSeveral();
     const std::string unit = isOneOfSeveral ? result->last.axis.positionUnit : std::string("deg");
     MoveOutcome detail{*std::move(config), *law, std::move(result->last), std::nullopt};
     if (step.find("repeat") != nullptr) {

@@ -28,8 +28,8 @@ bool isSame(const std::string& path, const std::string& other) {
     return fs::equivalent(path, other, missing);
 }
 
-/// Possible paths in the value of an option: all of it, the files of a device's address, and what an
-/// assignment sets.
+/// Possible paths in the value of an option: all of it, the files of a device's address, what an assignment
+/// sets, and a file of a reference, which ends at the next comma.
 std::vector<std::string> pathsIn(const std::string& value) {
     std::vector<std::string> paths{value};
     if (const auto uri = devices::parseDeviceUri(value)) {
@@ -42,6 +42,7 @@ std::vector<std::string> pathsIn(const std::string& value) {
          equals = value.find('=', equals + 1)) {
         paths.push_back(value.substr(equals + 1));
         paths.push_back(value.substr(equals + 1, value.find('&', equals) - equals - 1));
+        paths.push_back(value.substr(equals + 1, value.find(',', equals) - equals - 1));
     }
     return paths;
 }

@@ -20,8 +20,8 @@ struct CommandOutputs {
 std::vector<std::string> writtenFiles(const CommandOutputs& outputs);
 
 /// Files that are there and that the values of a command line name, apart from the outputs themselves: a
-/// path, the file of an address (replay:FILE, ?a2l=FILE) or of an assignment. A recording comes with its
-/// sidecar.
+/// path, the file of an address (replay:FILE, ?a2l=FILE), of an assignment or of a reference
+/// (table,file=FILE). A recording comes with its sidecar.
 std::vector<std::string> namedInputs(const CommandOutputs& outputs, std::vector<std::string> values);
 
 /// Results never take the place of a file that they are made of, whatever its other name is and whatever

@@ -13,6 +13,7 @@
 #include "app/workspaces/device/configuration_panel.h"
 #include "app/workspaces/device/device_panel.h"
 #include "app/workspaces/device/parameters_panel.h"
+#include "app/workspaces/drive/drive_panel.h"
 #include "app/workspaces/field/field_panel.h"
 #include "app/workspaces/monitor/derived_panel.h"
 #include "app/workspaces/monitor/monitor_panel.h"
@@ -149,6 +150,7 @@ void connectPanelConnections(DockLayout& docks, Workbench& bench) {
         monitor->setAsCurrentTab();
     });
     panelOf<DevicePanel>(docks, "devices")->setFileChooser(fileDialogs(bench));
+    panelOf<DrivePanel>(docks, "drive")->setFileChooser(fileDialogs(bench));
 }
 
 } // namespace halbench::app

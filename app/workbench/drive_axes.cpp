@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halbench::app {
 
@@ -117,6 +118,18 @@ std::vector<ParameterValue> DriveAxes::withOthersHeld(std::vector<ParameterValue
         }
     }
     return values;
+}
+
+std::vector<ParameterValue> DriveAxes::withAllHeld(std::vector<ParameterValue> values) const {
+    values.insert(values.begin(), {{m_axis.generator + ".shape", 0.0}, {m_axis.generator + ".base", 0.0}});
+    return withOthersHeld(std::move(values));
+}
+
+double DriveAxes::commanded(const std::string& id) const {
+    const auto other = m_others.find(id);
+    const AxisMotion& motion = id == m_axis.id || other == m_others.end() ? m_motion : other->second;
+    const bool isKnown = id == m_axis.id || other != m_others.end();
+    return isKnown ? motion.setpoint + motion.reference.angle_rad() : 0.0;
 }
 
 } // namespace halbench::app

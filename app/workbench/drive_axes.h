@@ -40,6 +40,10 @@ public:
     /// Of the chosen axis.
     AxisMotion& motion() { return m_motion; }
     const AxisMotion& motion() const { return m_motion; }
+    /// Of any axis of the device.
+    AxisMotion& motionOf(const std::string& id) { return id == m_axis.id ? m_motion : m_others[id]; }
+    /// Where an axis is told to be, from where it was armed: set-point and what a reference holds.
+    double commanded(const std::string& id) const;
     /// Arming, a mode, and each end of it begin at zero; the origin stays.
     void clearMotion();
 
@@ -63,6 +67,8 @@ public:
     std::string generator(const char* parameterName) const;
     /// Without a shape the reference of an axis stays where it is held.
     std::vector<ParameterValue> withOthersHeld(std::vector<ParameterValue> values) const;
+    /// The same for every axis: a path moves those that it moves.
+    std::vector<ParameterValue> withAllHeld(std::vector<ParameterValue> values) const;
 
 private:
     std::optional<double> newPosition(const devices::AxisSpec& axis) const;

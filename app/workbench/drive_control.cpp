@@ -145,6 +145,15 @@ void DriveControl::startReference(std::vector<ParameterValue> values) {
     Q_EMIT changed();
 }
 
+void DriveControl::startPath(const MoveReference& reference, const std::vector<std::string>& axes) {
+    if (!canMove() || isRunning() || !m_reference.admitsStart()) {
+        return;
+    }
+    m_setpoints.leave();
+    m_reference.startPath(reference, axes);
+    Q_EMIT changed();
+}
+
 void DriveControl::stopReference() {
     m_setpoints.giveUp();
     m_reference.end();

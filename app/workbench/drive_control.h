@@ -107,6 +107,10 @@ public:
     /// Values of the board's generator; does nothing while a motion of it runs. In position mode it begins at
     /// the angle that is held; refused where the board would leap back instead (continuesReference()).
     void startReference(std::vector<ParameterValue> values);
+    /// A path or table, which moves these axes; refused as a reference is.
+    void startPath(const MoveReference& reference, const std::vector<std::string>& axes);
+    /// Where an axis is told to be, from where it was armed.
+    double commanded(const std::string& axis) const { return m_axes.commanded(axis); }
     void stopReference();
     /// The board's generator runs, or has just been told to.
     bool isRunning() const { return m_reference.isRunning(); }

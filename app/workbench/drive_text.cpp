@@ -10,7 +10,7 @@ namespace {
 
 constexpr char Context[] = "halbench::app::DriveWords";
 
-/// By the board's code of a shape; 0: it is not known which.
+/// By the board's code of a shape, then the paths as MoveReference counts them; 0: it is not known which.
 constexpr std::array Shapes = {
     QT_TRANSLATE_NOOP("halbench::app::DriveWords", "reference"),
     QT_TRANSLATE_NOOP("halbench::app::DriveWords", "step"),
@@ -20,6 +20,13 @@ constexpr std::array Shapes = {
     QT_TRANSLATE_NOOP("halbench::app::DriveWords", "chirp"),
     QT_TRANSLATE_NOOP("halbench::app::DriveWords", "multisine"),
     QT_TRANSLATE_NOOP("halbench::app::DriveWords", "plateaus"),
+    QT_TRANSLATE_NOOP("halbench::app::DriveWords", "trapezoid"),
+    QT_TRANSLATE_NOOP("halbench::app::DriveWords", "s-curve"),
+    QT_TRANSLATE_NOOP("halbench::app::DriveWords", "circle"),
+    QT_TRANSLATE_NOOP("halbench::app::DriveWords", "raster"),
+    QT_TRANSLATE_NOOP("halbench::app::DriveWords", "arc"),
+    QT_TRANSLATE_NOOP("halbench::app::DriveWords", "line"),
+    QT_TRANSLATE_NOOP("halbench::app::DriveWords", "table of poses"),
 };
 
 /// By devices::BoardMode.

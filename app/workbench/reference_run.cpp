@@ -1,5 +1,6 @@
 #include "app/workbench/reference_run.h"
 
+#include "app/procedures/excite/table_reference.h"
 #include "app/workbench/drive_orders.h"
 
 #include <algorithm>
@@ -39,7 +40,28 @@ bool ReferenceRun::admitsStart() {
     return !leaps;
 }
 
+void ReferenceRun::startPath(const MoveReference& reference, const std::vector<std::string>& axes) {
+    std::vector<ParameterValue> values = generatorParameters(reference, 0.0);
+    values.push_back({"reference.start", 1.0});
+    values = inMode(m_axes.mode(), m_axes.withAllHeld(std::move(values)));
+    m_commands.change(
+        [reference, values](devices::Device& device) {
+            const auto written = isTable(reference) ? writeTable(device, reference, {}) : Result<void>();
+            return written ? device.writeParameters(values) : written;
+        },
+        [this, code = static_cast<double>(reference.shape), axes] {
+            m_startedShape = code;
+            m_pathAxes = axes;
+            m_axes.motion().reference.begin();
+            for (const std::string& axis : axes) {
+                m_axes.motionOf(axis).reference.begin();
+            }
+            m_bench.refreshValues();
+        });
+}
+
 void ReferenceRun::start(std::vector<ParameterValue> values) {
+    m_pathAxes.clear();
     m_axes.motion().reference.begin();
     m_startedShape.reset();
     for (const ParameterValue& value : values) {
@@ -52,6 +74,7 @@ void ReferenceRun::start(std::vector<ParameterValue> values) {
 }
 
 std::vector<ParameterValue> ReferenceRun::beginRamp(double rate, double amplitude, double duration_s) {
+    m_pathAxes.clear();
     m_axes.motion().reference.begin();
     m_startedShape = ShapeRamp;
     return m_axes.withOthersHeld({{m_axes.generator("shape"), ShapeRamp},
@@ -71,6 +94,15 @@ void ReferenceRun::look(bool isDriven, bool isOnWay) {
     motion.reference.look(m_bench.history(), isDriven,
                           m_axes.isPositionMode() && !isOnWay ? motion.origin : std::nullopt, motion.setpoint,
                           m_axes.signal(m_axes.chosen().roles.reference));
+    for (const devices::AxisSpec& axis : m_axes.all()) {
+        const bool isOnPath = std::find(m_pathAxes.begin(), m_pathAxes.end(), axis.id) != m_pathAxes.end();
+        if (isOnPath && axis.id != m_axes.chosen().id) {
+            AxisMotion& other = m_axes.motionOf(axis.id);
+            other.reference.look(m_bench.history(), isDriven,
+                                 m_axes.isPositionMode() ? other.origin : std::nullopt, other.setpoint,
+                                 m_axes.signal(axis.roles.reference));
+        }
+    }
 }
 
 } // namespace halbench::app

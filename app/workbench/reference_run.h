@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/procedures/excite/move_reference.h"
 #include "app/workbench/drive_axes.h"
 #include "app/workbench/drive_commands.h"
 #include "app/workbench/workbench.h"
@@ -8,6 +9,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace halbench::app {
@@ -32,6 +34,8 @@ public:
     /// False, and told, where the board would leap back.
     bool admitsStart();
     void start(std::vector<ParameterValue> values);
+    /// A path or table; its pieces are written first. Nothing else moves from here until it has begun.
+    void startPath(const MoveReference& reference, const std::vector<std::string>& axes);
     /// Values of a ramp, without mode; the others hold. It counts as running from now on.
     std::vector<ParameterValue> beginRamp(double rate, double amplitude, double duration_s);
     void end();
@@ -43,6 +47,7 @@ private:
     DriveCommands& m_commands;
     DriveAxes& m_axes;
     std::optional<double> m_startedShape;
+    std::vector<std::string> m_pathAxes; ///< that the last path moved
 };
 
 } // namespace halbench::app

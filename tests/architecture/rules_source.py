@@ -232,6 +232,7 @@ PROCEDURE_DOORS = {"app/procedures/" + name + ".h" for name in (
     "tune/position_law_parameters",  # a law as parameters and back: nothing moves, nothing is judged
     "base/axis_choice",  # the axes of a device by name: nothing moves
     "base/coil_temperature_monitor",  # temperatures are read: nothing moves
+    "excite/move_reference_keys", "excite/table_reference", "excite/travel_reference",  # what a motion will be: nothing moves
     "record/capture_orders")}  # the board captures: nothing moves, nothing is judged
 FITS = r"control/identify/|models/estimators/"
 PARTS_OF_PROCEDURES = r"\b(run(?!Procedure\b|Step\b|Window\b)[A-Z]\w*|identifyRecording|performMove)\s*\("

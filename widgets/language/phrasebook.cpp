@@ -33,9 +33,9 @@ struct Phrasebook {
 
 Phrasebook readTables() {
     Phrasebook book;
-    for (const auto& table :
-         {phrasesOfBoards(), phrasesOfSimulation(), phrasesOfControl(), phrasesOfLines(), phrasesOfDevices(),
-          phrasesOfTuning(), phrasesOfProcedures(), phrasesOfActuators(), phrasesOfFiles()}) {
+    for (const auto& table : {phrasesOfBoards(), phrasesOfSimulation(), phrasesOfControl(), phrasesOfLines(),
+                              phrasesOfDevices(), phrasesOfTuning(), phrasesOfReferences(),
+                              phrasesOfProcedures(), phrasesOfActuators(), phrasesOfFiles()}) {
         for (const char* phrase : table) {
             const QStringList pieces = QString::fromUtf8(phrase).split(QStringLiteral("{}"));
             if (pieces.size() == 1) {

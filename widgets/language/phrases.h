@@ -9,6 +9,7 @@ namespace halbench::widgets {
 std::span<const char* const> phrasesOfControl();
 std::span<const char* const> phrasesOfLines();
 std::span<const char* const> phrasesOfDevices();
+std::span<const char* const> phrasesOfReferences();
 std::span<const char* const> phrasesOfProcedures();
 std::span<const char* const> phrasesOfTuning();
 std::span<const char* const> phrasesOfActuators();

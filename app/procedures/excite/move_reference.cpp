@@ -1,6 +1,7 @@
 #include "app/procedures/excite/move_reference.h"
 
 #include "app/procedures/excite/move_reference_keys.h"
+#include "app/procedures/excite/table_reference.h"
 #include "app/procedures/excite/travel_reference.h"
 #include "control/base/units.h"
 
@@ -17,11 +18,11 @@ namespace {
 using enum MoveReference::Shape;
 using Quantity = MoveReference::Quantity;
 
-constexpr std::array<std::string_view, 13> ShapeNames = {
+constexpr std::array<std::string_view, 14> ShapeNames = {
     "step",    "ramp",   "sine",   "staircase", "chirp", "multisine", "trapezoid",
-    "s-curve", "circle", "raster", "arc",       "line",  "rest"};
+    "s-curve", "circle", "raster", "arc",       "line",  "table",     "rest"};
 constexpr std::array<MoveReference::Shape, ShapeNames.size()> Shapes = {
-    Step, Ramp, Sine, Staircase, Chirp, Multisine, Trapezoid, SCurve, Circle, Raster, Arc, Line, Rest};
+    Step, Ramp, Sine, Staircase, Chirp, Multisine, Trapezoid, SCurve, Circle, Raster, Arc, Line, Table, Rest};
 
 Result<void> need(bool isThere, MoveReference::Shape shape, const char* key) {
     if (isThere) {
@@ -44,6 +45,16 @@ Result<void> checkDirections(const MoveReference& reference) {
                    "An arc has angle_deg and heading_deg, a line has heading_deg.");
 }
 
+Result<void> checkTableOnly(const MoveReference& reference) {
+    if (isTable(reference) || (reference.file.empty() && reference.dwell_s == 0.0)) {
+        return {};
+    }
+    return failure(ErrorCode::InvalidInput,
+                   fmt::format("a {} has no {}", moveShapeName(reference.shape),
+                               reference.file.empty() ? "dwell_s" : "file"),
+                   "Only a table has a file of poses and dwells in them.");
+}
+
 Result<void> applyPair(MoveReference& reference, std::string_view pair) {
     const std::size_t equals = pair.find('=');
     if (equals == std::string_view::npos || equals == 0 || equals + 1 == pair.size()) {
@@ -52,6 +63,9 @@ Result<void> applyPair(MoveReference& reference, std::string_view pair) {
             "Write a reference like step,amplitude_deg=100. Known keys: " + moveReferenceKeyNames() + ".");
     }
     const std::string_view text = pair.substr(equals + 1);
+    if (pair.substr(0, equals) == FileKey) {
+        return setMoveReferenceFile(reference, text);
+    }
     double value = 0.0;
     const char* end = text.data() + text.size();
     const auto [stop, status] = std::from_chars(text.data(), end, value);
@@ -117,6 +131,9 @@ Result<void> checkMoveReference(const MoveReference& reference) {
     if (auto used = checkDirections(reference); !used) {
         return used;
     }
+    if (auto used = checkTableOnly(reference); !used) {
+        return used;
+    }
     const bool hasAmplitude = reference.amplitude != 0.0;
     switch (reference.shape) {
     case Shape::Step:
@@ -145,6 +162,8 @@ Result<void> checkMoveReference(const MoveReference& reference) {
     case Shape::Arc:
     case Shape::Line:
         return checkTravel(reference);
+    case Shape::Table:
+        return checkTableKeys(reference);
     case Shape::Rest:
         break;
     }
@@ -164,7 +183,7 @@ Result<void> checkQuantity(const MoveReference& reference, const devices::AxisSp
                            : "Write it as a length, e.g. amplitude_um=100 or amplitude_mm=1.");
 }
 
-double referenceExcursion(const MoveReference& reference, double duration_s) {
+double referenceExcursion(const MoveReference& reference, double duration_s, std::string_view axis) {
     using Shape = MoveReference::Shape;
     double excursion = std::fabs(reference.amplitude);
     if (reference.shape == Shape::Ramp) {
@@ -177,11 +196,13 @@ double referenceExcursion(const MoveReference& reference, double duration_s) {
         excursion *= std::sqrt(2.0 * reference.count); // all lines at their peak together
     } else if (isPath(reference)) {
         return pathReach(reference);
+    } else if (isTable(reference)) {
+        return tableReach(reference, axis);
     }
     return excursion + std::fabs(reference.base) * duration_s;
 }
 
-std::optional<double> referenceAt(const MoveReference& reference, double time_s) {
+std::optional<double> referenceAt(const MoveReference& reference, double time_s, std::string_view axis) {
     using Shape = MoveReference::Shape;
     const double base = reference.base * time_s;
     switch (reference.shape) {
@@ -201,6 +222,8 @@ std::optional<double> referenceAt(const MoveReference& reference, double time_s)
     case Shape::Trapezoid:
     case Shape::SCurve:
         return travelPointAt(reference, time_s);
+    case Shape::Table:
+        return tablePointAt(reference, time_s, axis);
     case Shape::Rest:
         return 0.0;
     case Shape::Chirp:
@@ -222,6 +245,9 @@ std::vector<ParameterValue> generatorParameters(const MoveReference& reference, 
     const double generator_s = isSwept ? duration_s : duration_s + 1.0;
     if (isPath(reference)) {
         return pathParameters(reference);
+    }
+    if (isTable(reference)) {
+        return tableParameters(reference);
     }
     const Shape shape = reference.shape == Shape::Rest ? Shape::Step : reference.shape; // of no height
     std::vector<ParameterValue> values = {{generator + ".shape", static_cast<double>(shape)},
@@ -271,6 +297,7 @@ std::optional<control::LoopReference> idealReference(const MoveReference& refere
     case Shape::Raster:
     case Shape::Arc:
     case Shape::Line:
+    case Shape::Table:
     case Shape::Rest:
         return std::nullopt;
     }

@@ -1,5 +1,6 @@
 #include "app/procedures/excite/move_reference_keys.h"
 
+#include "control/base/assert.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -159,26 +160,31 @@ const std::array Keys = {
     jerkKey("jerk_mm_s3", "the same in millimetres", Quantity::Length, 1e-3),
     jerkKey("jerk_rad_s3", "the same of an axis that turns", Quantity::Angle, 1.0),
     jerkKey("jerk_mrad_s3", "the same in milliradians", Quantity::Angle, 1e-3),
-    amplitudeKey("radius_m", "of a circle, whose centre lies so far along the first axis, or of an arc",
-                 Quantity::Length, 1.0),
+    amplitudeKey("radius_m", "radius; of a circle the centre lies along the first axis", Quantity::Length,
+                 1.0),
     amplitudeKey("radius_mm", "the same in millimetres", Quantity::Length, 1e-3),
     amplitudeKey("radius_um", "the same in micrometres", Quantity::Length, 1e-6),
-    Key{{"turns", "of a circle"}, 1.0, 1000.0, true, setCount},
-    amplitudeKey("width_m", "of a raster: length of a line along the first axis", Quantity::Length, 1.0),
+    Key{{"turns", "turns of a circle"}, 1.0, 1000.0, true, setCount},
+    amplitudeKey("width_m", "length of the lines of a raster, along the first axis", Quantity::Length, 1.0),
     amplitudeKey("width_mm", "the same in millimetres", Quantity::Length, 1e-3),
     amplitudeKey("width_um", "the same in micrometres", Quantity::Length, 1e-6),
-    pitchKey("pitch_m", "of a raster: from line to line along the second axis", 1.0),
+    pitchKey("pitch_m", "from line to line of a raster, along the second axis", 1.0),
     pitchKey("pitch_mm", "the same in millimetres", 1e-3),
     pitchKey("pitch_um", "the same in micrometres", 1e-6),
-    Key{{"lines", "of a raster"}, 1.0, 1000.0, true, setCount},
-    directionKey("angle_deg", "of an arc, counter-clockwise", Degree_rad, setAngle),
+    Key{{"lines", "lines of a raster"}, 1.0, 1000.0, true, setCount},
+    directionKey("angle_deg", "angle of an arc, counter-clockwise", Degree_rad, setAngle),
     directionKey("angle_rad", "the same in radians", 1.0, setAngle),
-    directionKey("heading_deg", "direction in which arc and line begin, from the first axis to the second",
-                 Degree_rad, setHeading),
+    directionKey("heading_deg", "start direction of arc and line, from first to second axis", Degree_rad,
+                 setHeading),
     directionKey("heading_rad", "the same in radians", 1.0, setHeading),
-    amplitudeKey("length_m", "of a line", Quantity::Length, 1.0),
+    amplitudeKey("length_m", "length of a line", Quantity::Length, 1.0),
     amplitudeKey("length_mm", "the same in millimetres", Quantity::Length, 1e-3),
     amplitudeKey("length_um", "the same in micrometres", Quantity::Length, 1e-6),
+    Key{{"dwell_s", "rest in every row of a table without time_s"},
+        0.0,
+        3600.0,
+        false,
+        [](MoveReference& r, double v) { r.dwell_s = v; }},
     Key{{"seed", "phases of a multisine; 0: those of least peak"},
         0.0,
         4294967295.0,
@@ -186,12 +192,103 @@ const std::array Keys = {
         [](MoveReference& r, double v) { r.seed = static_cast<std::uint32_t>(v); }},
 };
 
+/// A table moves axes along lines and axes that turn: each kind has its own limits.
+void setTurning(const Key& key, MoveReference& reference, double value) {
+    MoveReference angles;
+    key.set(angles, value * key.perUnit);
+    MoveReference::Turning& turning = reference.turning;
+    turning.rate = angles.rate != 0.0 ? angles.rate : turning.rate;
+    turning.acceleration = angles.acceleration != 0.0 ? angles.acceleration : turning.acceleration;
+    turning.jerk = angles.jerk ? angles.jerk : turning.jerk;
+    reference.amplitude += angles.amplitude; // refused by checkTableKeys()
+    reference.base += angles.base;
+}
+
 } // namespace
 
+Result<void> setMoveReferenceFile(MoveReference& reference, std::string_view path) {
+    if (reference.shape != MoveReference::Shape::Table) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("a {} has no file", moveShapeName(reference.shape)),
+                       "Only a table has a file of poses.");
+    }
+    reference.file = std::string(path);
+    return {};
+}
+
+namespace {
+
+/// "m/s" of "_m_s", "s" of "_s", nothing of "".
+std::string unitOf(std::string_view suffix) {
+    std::string unit(suffix.substr(std::min<std::size_t>(1, suffix.size())));
+    if (const std::size_t per = unit.rfind("_s"); per != std::string::npos) {
+        const std::string power = unit.substr(per + 2);
+        unit = unit.substr(0, per) + "/s" + (power.empty() ? "" : "^" + power);
+    }
+    return unit;
+}
+
+bool isOf(const Key& key, std::string_view stem) {
+    return key.text.key == stem || (key.text.key.starts_with(stem) && key.text.key[stem.size()] == '_');
+}
+
+} // namespace
+
+std::vector<ReferenceSetting> settingsOf(MoveReference::Shape shape) {
+    using Shape = MoveReference::Shape;
+    const auto along = [](std::initializer_list<std::string_view> stems) {
+        std::vector<ReferenceSetting> settings;
+        for (const std::string_view stem : stems) {
+            settings.push_back({stem, Quantity::Length});
+        }
+        return settings;
+    };
+    std::vector<ReferenceSetting> settings;
+    switch (shape) {
+    case Shape::Circle:
+        settings = along({"radius", "turns"});
+        break;
+    case Shape::Raster:
+        settings = along({"width", "lines", "pitch"});
+        break;
+    case Shape::Arc:
+        settings = along({"radius", "angle", "heading"});
+        break;
+    case Shape::Line:
+        settings = along({"length", "heading"});
+        break;
+    case Shape::Table:
+        settings = along({"dwell"});
+        break;
+    default:
+        return {};
+    }
+    for (const Quantity quantity : {Quantity::Length, Quantity::Angle}) {
+        for (const std::string_view stem : {"rate", "acceleration", "jerk"}) {
+            if (quantity == Quantity::Length || shape == Shape::Table) {
+                settings.push_back({stem, quantity});
+            }
+        }
+    }
+    return settings;
+}
+
+SettingSpec settingSpec(const ReferenceSetting& setting) {
+    const auto first =
+        std::find_if(Keys.begin(), Keys.end(), [&](const Key& key) { return isOf(key, setting.stem); });
+    const auto key = std::find_if(first, Keys.end(), [&](const Key& each) {
+        return isOf(each, setting.stem) && each.perUnit == 1.0 &&
+               (each.quantity == Quantity::Unknown || each.quantity == setting.quantity);
+    });
+    HB_ASSERT(key != Keys.end());
+    return {key->text.key, first->text.help, unitOf(key->text.key.substr(setting.stem.size())),
+            key->min,      key->max,         key->isWhole};
+}
+
 std::string moveReferenceKeyNames() {
-    std::string keys;
+    std::string keys(FileKey);
     for (const Key& key : Keys) {
-        keys += (keys.empty() ? "" : ", ") + std::string(key.text.key);
+        keys += ", " + std::string(key.text.key);
     }
     return keys;
 }
@@ -219,6 +316,10 @@ Result<void> setMoveReference(MoveReference& reference, std::string_view name, d
         return failure(
             ErrorCode::OutOfRange, fmt::format("{} = {} is out of range", name, value),
             fmt::format("Allowed: {} to {}{}.", key->min, key->max, key->isWhole ? ", whole numbers" : ""));
+    }
+    if (reference.shape == MoveReference::Shape::Table && key->quantity == Quantity::Angle) {
+        setTurning(*key, reference, value);
+        return {};
     }
     if (key->quantity != Quantity::Unknown) {
         if (reference.quantity != Quantity::Unknown && reference.quantity != key->quantity) {

@@ -1,6 +1,7 @@
 #include "app/procedures/excite/travel_reference.h"
 
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/excite/table_reference.h"
 
 #include <fmt/format.h>
 
@@ -158,6 +159,9 @@ std::optional<double> travelTime_s(const MoveReference& reference) {
     if (isPath(reference)) {
         const auto path = planePath(reference);
         return path ? std::optional(path->duration_s()) : std::nullopt;
+    }
+    if (reference.table) {
+        return reference.table->motion.duration_s();
     }
     return std::nullopt;
 }

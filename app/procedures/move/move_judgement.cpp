@@ -39,10 +39,11 @@ struct Interval {
 
 /// Of the commanded reference around a time: which sample it began with is known to a period of the loop, and
 /// worse where rows are missing.
-std::optional<Interval> commandedAround(const MoveReference& reference, double time_s, double uncertainty_s) {
+std::optional<Interval> commandedAround(const MoveReference& reference, const std::string& axis,
+                                        double time_s, double uncertainty_s) {
     std::optional<Interval> interval;
     for (const double shift_s : {-uncertainty_s, 0.0, uncertainty_s}) {
-        const auto value = referenceAt(reference, std::max(0.0, time_s + shift_s));
+        const auto value = referenceAt(reference, std::max(0.0, time_s + shift_s), axis);
         if (!value) {
             return std::nullopt;
         }
@@ -53,10 +54,11 @@ std::optional<Interval> commandedAround(const MoveReference& reference, double t
 }
 
 /// By how much the board's reference left the commanded one.
-double largestDeparture(const MoveResponse& response, const MoveConfig& config, double uncertainty_s) {
+double largestDeparture(const MoveResponse& response, const MoveConfig& config, const std::string& axis,
+                        double uncertainty_s) {
     double departure = 0.0;
     for (std::size_t i = 0; i < response.time_s.size(); i += response.rowsPerReference) {
-        const auto commanded = commandedAround(config.reference, response.time_s[i], uncertainty_s);
+        const auto commanded = commandedAround(config.reference, axis, response.time_s[i], uncertainty_s);
         if (!commanded) {
             return 0.0;
         }
@@ -66,12 +68,12 @@ double largestDeparture(const MoveResponse& response, const MoveConfig& config, 
     return departure;
 }
 
-void judgeReference(const MoveResponse& response, const MoveConfig& config, std::uint64_t lostRows,
-                    double origin, const devices::AxisSpec& axis, DataQuality& quality) {
+void addReference(const MoveResponse& response, const MoveConfig& config, std::uint64_t lostRows,
+                  double origin, const devices::AxisSpec& axis, DataQuality& quality) {
     const double period_s = static_cast<double>(response.rowsPerReference) / config.rate_Hz;
     const double uncertainty_s = 2.0 * period_s + static_cast<double>(lostRows) / config.rate_Hz;
-    const double departure = largestDeparture(response, config, uncertainty_s);
-    const double excursion = referenceExcursion(config.reference, config.duration_s);
+    const double departure = largestDeparture(response, config, axis.id, uncertainty_s);
+    const double excursion = referenceExcursion(config.reference, config.duration_s, axis.id);
     const double allowed = ShapeTolerance_ratio * excursion + FloatResolution_ratio * std::fabs(origin) +
                            axis.referenceTolerance;
     if (departure > allowed) {
@@ -118,8 +120,15 @@ DataQuality judgeMotion(const MoveResponse& response, const MoveConfig& config, 
                         double origin, const devices::AxisSpec& axis) {
     DataQuality quality;
     judgeRows(response, config, lostRows, quality);
-    judgeReference(response, config, lostRows, origin, axis, quality);
+    addReference(response, config, lostRows, origin, axis, quality);
     judgeEnd(response, config, axis, quality);
+    return quality;
+}
+
+DataQuality judgeReference(const MoveResponse& response, const MoveConfig& config, std::uint64_t lostRows,
+                           double origin, const devices::AxisSpec& axis) {
+    DataQuality quality;
+    addReference(response, config, lostRows, origin, axis, quality);
     return quality;
 }
 

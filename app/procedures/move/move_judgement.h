@@ -12,4 +12,8 @@ namespace halbench::app {
 DataQuality judgeMotion(const MoveResponse& response, const MoveConfig& config, std::uint64_t lostRows,
                         double origin, const devices::AxisSpec& axis = {});
 
+/// The part of it that is about the reference, of a further axis of a table.
+DataQuality judgeReference(const MoveResponse& response, const MoveConfig& config, std::uint64_t lostRows,
+                           double origin, const devices::AxisSpec& axis);
+
 } // namespace halbench::app

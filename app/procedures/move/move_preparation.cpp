@@ -4,7 +4,9 @@
 #include "app/procedures/base/coil_forecast.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/standstill.h"
+#include "app/procedures/excite/table_reference.h"
 #include "app/procedures/excite/travel_reference.h"
+#include "app/procedures/move/leave_end.h"
 #include "app/procedures/tune/position_law_parameters.h"
 
 #include <fmt/format.h>
@@ -60,7 +62,7 @@ Result<MoveTask> withSecondAxis(devices::Device& device, const MoveConfig& confi
         return failure(fits.error());
     }
     task.window = std::min(task.window, window->front());
-    task.second = second;
+    task.partners = {{second, task.window}};
     return task;
 }
 
@@ -78,10 +80,80 @@ Result<MoveTask> pathTask(devices::Device& device, const MoveConfig& config) {
     if (auto isMeant = checkQuantity(config.reference, first); !isMeant) {
         return failure(isMeant.error());
     }
-    const MoveTask task{first, std::nullopt, excursionWindow(device.catalogue(), config, first),
-                        config.speedLimit_rad_s};
+    const MoveTask task{
+        first, {}, excursionWindow(device.catalogue(), config, first), config.speedLimit_rad_s};
     auto within = withinBoardWindows(device, config, task);
     return within ? withSecondAxis(device, config, *within, second) : failure(within.error());
+}
+
+/// Windows of an axis, and what its largest force gives its inertia; by the parameters of the board.
+Result<TableAxisLimits> limitsOf(devices::Device& device, const devices::AxisSpec& axis) {
+    const devices::Catalogue& catalogue = device.catalogue();
+    const std::string inertia = "feedforward." + axis.id + ".inertia";
+    std::vector<std::string> names = {parameterOf(catalogue, axis.roles.positionWindow),
+                                      parameterOf(catalogue, axis.roles.speedWindow)};
+    const bool hasForce = axis.effortLimit > 0.0 && catalogue.findParameter(inertia) != nullptr;
+    if (hasForce) {
+        names.push_back(inertia);
+    }
+    const auto values = device.readParameters(names);
+    if (!values) {
+        return failure(values.error());
+    }
+    TableAxisLimits limits{axis.id, (*values)[0], names[0], (*values)[1], names[1]};
+    if (hasForce && values->back() > 0.0) {
+        limits.acceleration = axis.effortLimit / values->back();
+    }
+    return limits;
+}
+
+/// Every row and the way between them, before anything moves.
+Result<MoveTask> tableTask(devices::Device& device, const MoveConfig& config) {
+    if (!config.axis.empty() && config.axis != "all") {
+        return failure(ErrorCode::Usage, "a table moves the axes of its columns", "Name no axis.");
+    }
+    const auto axes = tableAxes(device.catalogue(), config.reference);
+    if (!axes) {
+        return failure(axes.error());
+    }
+    MoveTask task;
+    std::vector<TableAxisLimits> all;
+    for (const devices::AxisSpec& axis : *axes) {
+        const auto limits = limitsOf(device, axis);
+        if (!limits) {
+            return failure(limits.error());
+        }
+        const double window = std::min(excursionWindow(device.catalogue(), config, axis), limits->window);
+        if (all.empty()) {
+            task.axis = axis;
+            task.window = window;
+            task.speedLimit = limits->speed;
+        } else {
+            task.partners.push_back({axis, window});
+        }
+        all.push_back(*limits);
+    }
+    const auto kept = checkTableLimits(config.reference, all);
+    return kept ? Result<MoveTask>(std::move(task)) : failure(kept.error());
+}
+
+/// From where the axes stand now no row lies beyond the end of their travel.
+Result<void> checkEnds(devices::Device& device, const MoveReference& reference) {
+    const devices::Catalogue& catalogue = device.catalogue();
+    std::vector<TableAxisEnds> ends;
+    for (const devices::AxisSpec& axis : axesOf(catalogue)) {
+        const auto travel = travelOf(catalogue, axis);
+        if (!travel || tableReach(reference, axis.id) == 0.0) {
+            continue;
+        }
+        const std::string names[] = {signalOf(catalogue, axis.roles.position)};
+        const auto position = device.readSignals(names);
+        if (!position) {
+            return failure(position.error());
+        }
+        ends.push_back({axis.id, *travel, position->front()});
+    }
+    return checkTableEnds(reference, ends);
 }
 
 // Without a shape the reference of an axis stays where it is.
@@ -134,7 +206,7 @@ Result<void> awaitZero(devices::Device& device, const ProcedureObserver& observe
 // Room for overshoot without friction (68 % of the step, resources/help/htm-theory.md 8.1) and then some.
 double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& config,
                        const devices::AxisSpec& axis) {
-    const double asked = referenceExcursion(config.reference, config.duration_s);
+    const double asked = referenceExcursion(config.reference, config.duration_s, axis.id);
     const ParameterSpec* spec = catalogue.findParameter(parameterOf(catalogue, axis.roles.positionWindow));
     const double largest = spec == nullptr ? 10000.0 : spec->max;
     return std::min(2.0 * asked + axis.windowMargin, largest);
@@ -143,6 +215,9 @@ double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& co
 Result<MoveTask> moveTask(devices::Device& device, const MoveConfig& config) {
     if (isPath(config.reference)) {
         return pathTask(device, config);
+    }
+    if (isTable(config.reference)) {
+        return tableTask(device, config);
     }
     const auto axis = chosenAxis(device.catalogue(), config.axis);
     if (!axis) {
@@ -154,8 +229,8 @@ Result<MoveTask> moveTask(devices::Device& device, const MoveConfig& config) {
     if (auto isOffered = checkGenerator(device.catalogue(), *axis, config.reference); !isOffered) {
         return failure(isOffered.error());
     }
-    const MoveTask task{*axis, std::nullopt, excursionWindow(device.catalogue(), config, *axis),
-                        config.speedLimit_rad_s};
+    const MoveTask task{
+        *axis, {}, excursionWindow(device.catalogue(), config, *axis), config.speedLimit_rad_s};
     return axis->turnsForever ? Result<MoveTask>(task) : withinBoardWindows(device, config, task);
 }
 
@@ -166,8 +241,8 @@ Result<void> setMoveWindows(devices::Device& device, const MoveTask& task) {
         {parameterOf(catalogue, "window.position_enabled"), 1.0},
         {parameterOf(catalogue, task.axis.roles.speedWindow), task.speedLimit},
         {parameterOf(catalogue, "window.speed_enabled"), 1.0}};
-    if (task.second) {
-        windows.push_back({parameterOf(catalogue, task.second->roles.positionWindow), task.window});
+    for (const PartnerAxis& partner : task.partners) {
+        windows.push_back({parameterOf(catalogue, partner.axis.roles.positionWindow), partner.window});
     }
     // A board whose windows are always on has no switch for them.
     std::erase_if(windows, [&catalogue](const ParameterValue& value) {
@@ -177,13 +252,18 @@ Result<void> setMoveWindows(devices::Device& device, const MoveTask& task) {
 }
 
 Result<void> setMoveGenerator(devices::Device& device, const MoveConfig& config,
-                              const devices::AxisSpec& axis) {
+                              const devices::AxisSpec& axis, const ProcedureObserver& observer) {
+    if (isTable(config.reference)) {
+        if (auto written = writeTable(device, config.reference, observer.checkAbort); !written) {
+            return written;
+        }
+    }
     std::vector<ParameterValue> values =
         generatorParameters(config.reference, config.duration_s, axis.generator);
     holdOthers(device.catalogue(), axis, values);
     // An excitation that was cut off may have left it where a reference becomes a force.
     values.push_back({axis.generator + ".target", 0.0});
-    if (!isPath(config.reference) && device.catalogue().findParameter("path.shape") != nullptr) {
+    if (!movesSeveralAxes(config.reference) && device.catalogue().findParameter("path.shape") != nullptr) {
         values.push_back({"path.shape", 0.0});
     }
     values.push_back({"hb.mode", static_cast<double>(devices::BoardMode::Position)});
@@ -212,7 +292,17 @@ Result<void> prepareMove(devices::Device& device, const MoveConfig& config, cons
     if (!heat) {
         return failure(heat.error());
     }
-    return axis.turnsForever ? awaitStandstill(device, axis, observer) : awaitZero(device, observer);
+    if (axis.turnsForever) {
+        return awaitStandstill(device, axis, observer);
+    }
+    const auto homed = awaitZero(device, observer);
+    return homed && isTable(config.reference) ? checkEnds(device, config.reference) : homed;
+}
+
+bool MoveTask::moves(const devices::AxisSpec& other) const {
+    return other.id == axis.id || std::any_of(partners.begin(), partners.end(), [&](const PartnerAxis& each) {
+               return each.axis.id == other.id;
+           });
 }
 
 } // namespace halbench::app

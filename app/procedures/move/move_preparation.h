@@ -4,15 +4,23 @@
 
 namespace halbench::app {
 
+/// Another axis that a path or table moves.
+struct PartnerAxis {
+    devices::AxisSpec axis;
+    double window = 0.0; ///< as of MoveTask
+};
+
 /// The axis that moves, and how far and fast the board lets it: set for the move and watched by the host.
 struct MoveTask {
     devices::AxisSpec axis;
-    std::optional<devices::AxisSpec> second = {}; ///< of a path
-    double window = 0.0;                          ///< from where it is when armed, in the axis's unit
+    std::vector<PartnerAxis> partners = {}; ///< of a path or table
+    double window = 0.0;                    ///< from where it is when armed, in the axis's unit
     double speedLimit = 0.0;
+
+    bool moves(const devices::AxisSpec& other) const;
 };
 
-/// Position window of a move: twice the reference and the margin of the axis, within what the board takes.
+/// Position window of an axis that moves: twice its reference and its margin, within what the board takes.
 double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& config,
                        const devices::AxisSpec& axis);
 
@@ -22,12 +30,13 @@ Result<MoveTask> moveTask(devices::Device& device, const MoveConfig& config);
 /// Homes a board that does not know its zero; nothing moves. Errors: Refused, of the device, of the abort.
 Result<void> awaitZero(devices::Device& device, const ProcedureObserver& observer);
 
-/// Waits for cool coils and a rotor at rest, or homes. Errors: Refused, of the device, of the abort.
+/// Waits for cool coils and a rotor at rest, or homes. Errors: Refused, OutOfRange (a table that leads beyond
+/// the end of an axis), of the device, of the abort.
 Result<void> prepareMove(devices::Device& device, const MoveConfig& config, const devices::AxisSpec& axis,
                          const ProcedureObserver& observer);
 Result<void> setMoveWindows(devices::Device& device, const MoveTask& task);
-/// The reference of the axis or the path, none for the others, and mode position.
+/// The reference of the axis, the path or the table, none for the others, and mode position.
 Result<void> setMoveGenerator(devices::Device& device, const MoveConfig& config,
-                              const devices::AxisSpec& axis);
+                              const devices::AxisSpec& axis, const ProcedureObserver& observer);
 
 } // namespace halbench::app

@@ -6,6 +6,7 @@
 #include "app/procedures/base/restored_result.h"
 #include "app/procedures/base/row_loss.h"
 #include "app/procedures/excite/excitation_limits.h"
+#include "app/procedures/excite/table_reference.h"
 #include "app/procedures/excite/travel_reference.h"
 #include "app/procedures/move/move_preparation.h"
 #include "app/procedures/move/move_recording.h"
@@ -88,8 +89,12 @@ Result<MoveResult> runGuarded(devices::Device& device, const MoveConfig& config,
     return restoredResult(*guard, performMove(device, config, observer));
 }
 
-/// Of a path the first one.
+/// Of a path or table the first one.
 Result<devices::AxisSpec> axisOfMove(const MoveConfig& config, const devices::Catalogue& catalogue) {
+    if (isTable(config.reference)) {
+        const auto axes = tableAxes(catalogue, config.reference);
+        return axes ? Result<devices::AxisSpec>(axes->front()) : failure(axes.error());
+    }
     if (!isPath(config.reference)) {
         return chosenAxis(catalogue, config.axis);
     }
@@ -101,9 +106,9 @@ Result<devices::AxisSpec> axisOfMove(const MoveConfig& config, const devices::Ca
 
 MoveOutlook moveOutlook(const MoveConfig& config, const devices::Catalogue& catalogue) {
     const auto axis = axisOfMove(config, catalogue).value_or(devices::AxisSpec{});
-    return {referenceExcursion(config.reference, config.duration_s), excursionWindow(catalogue, config, axis),
-            config.speedLimit_rad_s, axis.settle_s + config.duration_s + Tail_s,
-            travelTime_s(config.reference)};
+    return {referenceExcursion(config.reference, config.duration_s, axis.id),
+            excursionWindow(catalogue, config, axis), config.speedLimit_rad_s,
+            axis.settle_s + config.duration_s + Tail_s, travelTime_s(config.reference)};
 }
 
 MovePrediction predictMove(const MoveConfig& config, const control::SampledPositionLaw& law,
@@ -148,7 +153,7 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted
     if (auto set = setMoveWindows(device, *task); !set) {
         return failure(set.error());
     }
-    if (auto set = setMoveGenerator(device, config, task->axis); !set) {
+    if (auto set = setMoveGenerator(device, config, task->axis, observer); !set) {
         return failure(set.error());
     }
     if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {

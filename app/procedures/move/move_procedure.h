@@ -25,7 +25,7 @@ struct MoveConfig {
     double speedLimit_rad_s = 40.0; ///< of an axis that turns forever; others keep the board's window
     double pauseTemperature_degC = 65.0;
     double refuseTemperature_degC = 70.0;
-    std::string axis = {}; ///< which one moves; empty: the only one, of a path the two that it has
+    std::string axis = {}; ///< which one moves; empty: the only one, of a path or table those that it has
 };
 
 /// One step of a staircase, measured like a step of its own.
@@ -34,6 +34,17 @@ struct StairFigures {
     std::optional<double> settlingTime_s;
     double overshoot_percent = 0.0;
     double mean = 0.0; ///< of the position in the last half second of the stair
+};
+
+/// One axis where a table of poses has a row.
+struct RowFigures {
+    std::size_t line = 0; ///< of the file
+    double arrival_s = 0.0;
+    double error = 0.0; ///< at the arrival
+    /// From the arrival until the error stays within the settling window, or without one 2 % of the way to
+    /// the row, until the axis leaves it or the run ends. Nothing where it does not, and where the row is
+    /// passed without a rest.
+    std::optional<double> settlingTime_s;
 };
 
 /// Figures of one response against its reference; error = reference - position, both from the start, in the
@@ -67,6 +78,7 @@ struct MoveFigures {
     /// Of a travel: the slope over the first 20 ms of its constant speed.
     std::optional<double> rampEndSpeed;
     std::vector<StairFigures> stairs = {};
+    std::vector<RowFigures> rows = {}; ///< of a table
 };
 
 /// Distance from the nearest point of a path, from its start to its end.
@@ -84,14 +96,19 @@ struct CrossAxisPeak {
     std::optional<double> trueRestRms = {};
 };
 
-/// The second axis of a path, and how near both kept to it.
-struct PathResult {
+/// A further axis of a path or table.
+struct PartnerResult {
     devices::AxisSpec axis;
     MoveFigures measured;
     std::optional<MoveFigures> truth;
     std::optional<double> peakEffort;
-    ContourError measuredContour;
-    std::optional<ContourError> trueContour;
+};
+
+/// How near two axes kept to their path in the plane.
+struct ContourResult {
+    std::string unit; ///< of both
+    ContourError measured;
+    std::optional<ContourError> truth;
 };
 
 struct MoveResult {
@@ -106,12 +123,15 @@ struct MoveResult {
     std::optional<double> highestTemperature_degC; ///< of the coils, where the board reports it
     std::optional<double> lockThreshold;           ///< that both lock times are meant with
     DataQuality quality;
-    devices::AxisSpec axis = {};            ///< that moved
-    std::optional<double> peakEffort = {};  ///< of that axis, in its effort unit
-    std::vector<CrossAxisPeak> others = {}; ///< empty on a device with one axis
-    std::optional<double> travel_s = {};    ///< of a travel or path, known before it began
-    std::optional<PathResult> path = {};
+    devices::AxisSpec axis = {};               ///< that moved
+    std::optional<double> peakEffort = {};     ///< of that axis, in its effort unit
+    std::vector<CrossAxisPeak> others = {};    ///< empty on a device with one axis
+    std::optional<double> travel_s = {};       ///< of a travel or path, known before it began
+    std::vector<PartnerResult> partners = {};  ///< of a path or table: the other axes that moved
+    std::optional<ContourResult> contour = {}; ///< likewise, where it moved in a plane
 
+    /// The device has more axes than this one.
+    bool isOneOfSeveral() const { return !others.empty() || !partners.empty(); }
     /// Truth where known, else measured: what checks and reports mean.
     const MoveFigures& figures() const { return truth ? *truth : measured; }
 };
@@ -145,7 +165,8 @@ MoveOutlook moveOutlook(const MoveConfig& config, const devices::Catalogue& cata
 /// axes one moves and the others hold their position (resources/help/command-line.md, "Axes"); a board that
 /// knows no zero yet is homed first. Errors there: Usage (which axis is not said), UnknownName, OutOfRange
 /// (beyond the board's position window), InvalidInput (a shape that the board does not have, a time shorter
-/// than the travel). A path moves the first two axes along a line, so no axis is named.
+/// than the travel). A path moves the first two axes along a line and a table those of its columns, so no
+/// axis is named.
 Result<MoveResult> runMove(devices::Device& device, const MoveConfig& config,
                            const ProcedureObserver& observer);
 

@@ -2,14 +2,18 @@
 
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/base/coil_forecast.h"
+#include "app/procedures/excite/table_reference.h"
 #include "app/procedures/excite/travel_reference.h"
 #include "app/procedures/move/move_judgement.h"
+#include "app/procedures/move/row_figures.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 namespace halbench::app {
 namespace {
@@ -169,8 +173,7 @@ Result<std::vector<OtherAxis>> otherAxes(const devices::Catalogue& catalogue, co
     std::vector<OtherAxis> others;
     for (const devices::AxisSpec& axis : catalogue.axes) {
         const AxisColumns columns = columnsOf(catalogue, axis);
-        const bool isMoved = axis.id == task.axis.id || (task.second && axis.id == task.second->id);
-        if (!isMoved && recording.layout->indexOf(columns.position) >= 0) {
+        if (!task.moves(axis) && recording.layout->indexOf(columns.position) >= 0) {
             const auto origin = findOrigin(recording, columns);
             if (!origin) {
                 return failure(origin.error());
@@ -196,16 +199,25 @@ std::optional<double> peakCurrent_A(const devices::Catalogue& catalogue, const R
 
 /// An axis that moved, and where it was before.
 struct MovedColumns {
+    devices::AxisSpec axis;
     AxisColumns columns;
     Origin origin;
 };
 
-Result<MovedColumns> withOrigin(const Recording& recording, MovedColumns moved) {
-    const auto origin = findOrigin(recording, moved.columns);
-    if (!origin) {
-        return failure(origin.error());
+/// All axes that moved, the one of the task first.
+Result<std::vector<MovedColumns>> movedColumns(const devices::Catalogue& catalogue, const MoveTask& task,
+                                               const Recording& recording) {
+    std::vector<MovedColumns> moved = {{task.axis, columnsOf(catalogue, task.axis), {}}};
+    for (const PartnerAxis& partner : task.partners) {
+        moved.push_back({partner.axis, columnsOf(catalogue, partner.axis), {}});
     }
-    moved.origin = *origin;
+    for (MovedColumns& each : moved) {
+        const auto origin = findOrigin(recording, each.columns);
+        if (!origin) {
+            return failure(origin.error());
+        }
+        each.origin = *origin;
+    }
     return moved;
 }
 
@@ -228,35 +240,77 @@ Result<AxisFigures> figuresOf(const Recording& recording, const MovedColumns& mo
         return failure(measured.error());
     }
     figures.measured = *measured;
+    figures.measured.rows = measureRows(figures.response, config, moved.axis.id);
     if (recording.layout->indexOf(columns.truth) >= 0) {
-        const auto truth = measureMove(
-            responseOf(recording, {columns.truth, moved.origin.truth}, reference, rowsPerReference), config);
+        const MoveResponse response =
+            responseOf(recording, {columns.truth, moved.origin.truth}, reference, rowsPerReference);
+        const auto truth = measureMove(response, config);
         if (!truth) {
             return failure(truth.error());
         }
         figures.truth = *truth;
+        figures.truth->rows = measureRows(response, config, moved.axis.id);
     }
     figures.peakEffort = largestMagnitude(recording.column(columns.effort));
     return figures;
 }
 
-using PathColumns = std::array<CountedColumn, 2>;
+/// The plane of a path: the first two axes along a line. Both are needed, even when a table moves one only.
+using PlaneAxes = std::array<MovedColumns, 2>;
 
-PathColumns referencesOf(const MovedColumns& first, const MovedColumns& second) {
-    return {CountedColumn{first.columns.reference, first.origin.reference},
-            CountedColumn{second.columns.reference, second.origin.reference}};
+std::optional<PlaneAxes> planeAxesOf(const devices::Catalogue& catalogue, const MoveTask& task,
+                                     const Recording& recording) {
+    std::vector<MovedColumns> along;
+    bool moves = false;
+    for (const devices::AxisSpec& axis : catalogue.axes) {
+        if (axis.positionUnit != "m" || along.size() == 2) {
+            continue;
+        }
+        const AxisColumns columns = columnsOf(catalogue, axis);
+        const auto origin = findOrigin(recording, columns);
+        if (!origin || recording.layout->indexOf(columns.position) < 0) {
+            return std::nullopt;
+        }
+        along.push_back({axis, columns, *origin});
+        moves = moves || task.moves(axis);
+    }
+    return along.size() == 2 && moves ? std::optional(PlaneAxes{along[0], along[1]}) : std::nullopt;
 }
 
-/// Of two columns, while the path lasts.
-ContourError contourOf(const Recording& recording, const MoveConfig& config, const PathColumns& columns) {
-    const auto path = planePath(config.reference); // checked before it moved
+/// From the nearest point of the way that was commanded.
+using DistanceFromWay = std::function<double(double x, double y, double time_s)>;
+
+DistanceFromWay distanceFromWay(const MoveReference& reference, const PlaneAxes& axes) {
+    if (!isTable(reference)) {
+        return [path = *planePath(reference)](double x, double y, double) { // checked before it moved
+            return path.distanceFrom(x, y);
+        };
+    }
+    const TabledMotion& tabled = *reference.table;
+    const auto columnOf = [&](const MovedColumns& moved) {
+        return tabled.table.columnOf(moved.axis.id).value_or(tabled.motion.axisCount());
+    };
+    return [trace = control::PlaneTrace(tabled.motion, {columnOf(axes[0]), columnOf(axes[1])})](
+               double x, double y, double time_s) { return trace.distanceFrom(x, y, time_s); };
+}
+
+/// A path and a table in a plane, from their start to their end.
+struct Way {
+    DistanceFromWay distance;
+    double duration_s;
+};
+
+/// Of two columns, while the way lasts.
+ContourError contourOf(const Recording& recording, const Way& way,
+                       const std::array<CountedColumn, 2>& columns) {
     const std::vector<double> x = recording.column(columns[0].name);
     const std::vector<double> y = recording.column(columns[1].name);
     ContourError error;
     double square = 0.0;
     double count = 0.0;
-    for (std::size_t row = 0; row < x.size() && recording.time_s[row] <= path->duration_s() + 1e-9; ++row) {
-        const double away = path->distanceFrom(x[row] - columns[0].origin, y[row] - columns[1].origin);
+    for (std::size_t row = 0; row < x.size() && recording.time_s[row] <= way.duration_s + 1e-9; ++row) {
+        const double away =
+            way.distance(x[row] - columns[0].origin, y[row] - columns[1].origin, recording.time_s[row]);
         error.peak = std::max(error.peak, away);
         square += away * away;
         ++count;
@@ -265,21 +319,19 @@ ContourError contourOf(const Recording& recording, const MoveConfig& config, con
     return error;
 }
 
-PathResult pathResultOf(const Recording& recording, const MoveConfig& config, const devices::AxisSpec& axis,
-                        const std::array<MovedColumns, 2>& moved, AxisFigures figures) {
-    PathResult result;
-    result.axis = axis;
-    result.measured = std::move(figures.measured);
-    result.truth = std::move(figures.truth);
-    result.peakEffort = figures.peakEffort;
-    const auto columnsOfBoth = [&](std::string AxisColumns::*name, double Origin::*origin) {
-        return PathColumns{CountedColumn{moved[0].columns.*name, moved[0].origin.*origin},
-                           CountedColumn{moved[1].columns.*name, moved[1].origin.*origin}};
-    };
-    result.measuredContour =
-        contourOf(recording, config, columnsOfBoth(&AxisColumns::position, &Origin::reference));
-    if (result.truth) {
-        result.trueContour = contourOf(recording, config, columnsOfBoth(&AxisColumns::truth, &Origin::truth));
+ContourError contourOf(const Recording& recording, const Way& way, const PlaneAxes& axes,
+                       std::string AxisColumns::*name, double Origin::*origin) {
+    return contourOf(recording, way,
+                     {CountedColumn{axes[0].columns.*name, axes[0].origin.*origin},
+                      CountedColumn{axes[1].columns.*name, axes[1].origin.*origin}});
+}
+
+ContourResult contourResultOf(const Recording& recording, const Way& way, const PlaneAxes& axes) {
+    ContourResult result;
+    result.unit = axes[0].axis.positionUnit;
+    result.measured = contourOf(recording, way, axes, &AxisColumns::position, &Origin::reference);
+    if (recording.layout->indexOf(axes[0].columns.truth) >= 0) {
+        result.truth = contourOf(recording, way, axes, &AxisColumns::truth, &Origin::truth);
     }
     return result;
 }
@@ -332,24 +384,66 @@ std::vector<std::string> moveSignals(const devices::Catalogue& catalogue) {
             "reference.running"};
 }
 
+namespace {
+
+PartnerResult partnerOf(const devices::AxisSpec& axis, AxisFigures figures) {
+    return {axis, std::move(figures.measured), std::move(figures.truth), figures.peakEffort};
+}
+
+void addFindings(DataQuality& quality, const DataQuality& more) {
+    quality.verdict = std::max(quality.verdict, more.verdict);
+    quality.findings.insert(quality.findings.end(), more.findings.begin(), more.findings.end());
+}
+
+/// What lies in the plane, and whether the board's own references do.
+void addContour(const Recording& recording, const MoveConfig& config, const PlaneAxes& axes,
+                MoveResult& result) {
+    const Way way{distanceFromWay(config.reference, axes), travelTime_s(config.reference).value_or(0.0)};
+    result.contour = contourResultOf(recording, way, axes);
+    if (!isTable(config.reference)) { // whose references were compared axis by axis
+        judgePath(contourOf(recording, way, axes, &AxisColumns::reference, &Origin::reference),
+                  result.quality, result.axis);
+    }
+}
+
+/// The further axes of a path or table.
+Result<void> addPartners(const Recording& recording, const MoveConfig& config,
+                         const std::vector<MovedColumns>& moved, double rowsPerReference,
+                         MoveResult& result) {
+    for (std::size_t i = 1; i < moved.size(); ++i) {
+        auto figures = figuresOf(recording, moved[i], config, rowsPerReference);
+        if (!figures) {
+            return failure(figures.error());
+        }
+        if (isTable(config.reference)) {
+            addFindings(result.quality, judgeReference(figures->response, config, recording.lostRows,
+                                                       moved[i].origin.reference, moved[i].axis));
+        }
+        result.partners.push_back(partnerOf(moved[i].axis, *std::move(figures)));
+    }
+    return {};
+}
+
+} // namespace
+
 Result<MoveResult> judgeRecording(Recording recording, const MoveConfig& config, const MoveTask& task,
                                   const devices::Catalogue& catalogue) {
-    const MovedColumns first{columnsOf(catalogue, task.axis), {}};
-    auto moved = withOrigin(recording, first);
+    const auto moved = movedColumns(catalogue, task, recording);
     if (!moved) {
         return failure(moved.error());
     }
-    const auto second = task.second ? withOrigin(recording, {columnsOf(catalogue, *task.second), {}})
-                                    : Result<MovedColumns>(first);
     const auto others = otherAxes(catalogue, task, recording);
-    if (!second || !others) {
-        return failure(!second ? second.error() : others.error());
+    if (!others) {
+        return failure(others.error());
     }
+    const MovedColumns& first = moved->front();
+    const auto plane =
+        movesSeveralAxes(config.reference) ? planeAxesOf(catalogue, task, recording) : std::nullopt;
     const std::vector<double> position = recording.column(first.columns.position);
-    const double rest = restPosition(recording.time_s, position, moved->origin.firstRow);
-    cut(recording, moved->origin, config);
+    const double rest = restPosition(recording.time_s, position, first.origin.firstRow);
+    cut(recording, first.origin, config);
     const double rowsPerReference = loopPeriod_s(catalogue) * config.rate_Hz;
-    auto figures = figuresOf(recording, *moved, config, rowsPerReference);
+    auto figures = figuresOf(recording, first, config, rowsPerReference);
     if (!figures) {
         return failure(figures.error());
     }
@@ -361,14 +455,12 @@ Result<MoveResult> judgeRecording(Recording recording, const MoveConfig& config,
     result.truth = std::move(figures->truth);
     result.peakEffort = figures->peakEffort;
     result.quality =
-        judgeMotion(figures->response, config, recording.lostRows, moved->origin.reference, task.axis);
-    if (task.second) {
-        auto partner = figuresOf(recording, *second, config, rowsPerReference);
-        if (!partner) {
-            return failure(partner.error());
-        }
-        result.path = pathResultOf(recording, config, *task.second, {*moved, *second}, *std::move(partner));
-        judgePath(contourOf(recording, config, referencesOf(*moved, *second)), result.quality, task.axis);
+        judgeMotion(figures->response, config, recording.lostRows, first.origin.reference, task.axis);
+    if (auto added = addPartners(recording, config, *moved, rowsPerReference, result); !added) {
+        return failure(added.error());
+    }
+    if (plane) {
+        addContour(recording, config, *plane, result);
     }
     for (const OtherAxis& other : *others) {
         result.others.push_back(crossAxisPeak(recording, other.axis, other.columns, other.origin,

@@ -1,6 +1,7 @@
 #include "app/procedures/move/move_repetition.h"
 
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/excite/table_reference.h"
 #include "app/procedures/excite/travel_reference.h"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ std::optional<SettlingTimes> MoveRepetition::settlingTimes() const {
 
 Result<RepeatedMove> runRepeatedMove(devices::Device& device, const MoveConfig& config,
                                      const RepeatConfig& repeat, const ProcedureObserver& observer) {
-    if (repeat.alternates && isPath(config.reference)) {
+    if (repeat.alternates && movesSeveralAxes(config.reference)) {
         return failure(ErrorCode::InvalidInput, "a path does not alternate its direction",
                        "repeat it as it is: it ends where its last line ends");
     }

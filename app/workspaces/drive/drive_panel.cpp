@@ -7,6 +7,8 @@
 #include "app/workspaces/drive/axis_ranges.h"
 #include "app/workspaces/drive/drive_limits.h"
 #include "app/workspaces/drive/jog_row.h"
+#include "app/workspaces/drive/path_form.h"
+#include "app/workspaces/drive/path_run.h"
 #include "app/workspaces/drive/pose_pad.h"
 #include "app/workspaces/drive/reference_form.h"
 #include "app/workspaces/parts/panel_parts.h"
@@ -92,6 +94,10 @@ DrivePanel::~DrivePanel() {
     }
 }
 
+void DrivePanel::setFileChooser(FileChooser chooser) {
+    m_path->setFileChooser(std::move(chooser));
+}
+
 void DrivePanel::onMessageAction() {
     const Asking asked = m_asking;
     m_asking = Asking::Nothing;
@@ -145,6 +151,13 @@ void DrivePanel::onSetpointRefused(const QString& text) {
 }
 
 void DrivePanel::onStartReference() {
+    if (m_reference->isPath()) {
+        forgetError();
+        if (const Result<void> started = m_path->start(); !started) {
+            showError(widgets::inWords(started.error().message), widgets::inWords(started.error().hint));
+        }
+        return;
+    }
     const Result<std::vector<ParameterValue>> values = m_reference->takeValues();
     if (!values) {
         showError(widgets::inWords(values.error().message), widgets::inWords(values.error().hint));
@@ -203,6 +216,7 @@ void DrivePanel::refreshAxes() {
         }
         m_bench.liveSignals().want(this, shownSignals(m_bench.session().catalogue()));
     }
+    m_reference->setPaths(offeredPaths(m_bench.session().catalogue()));
     m_axes->setCurrentIndex(m_axes->findData(QString::fromStdString(m_control.axis().id)));
     m_axisRow->setVisible(axes.size() > 1);
     m_rest.setEnabled(*m_axes, m_control.canChooseAxis());

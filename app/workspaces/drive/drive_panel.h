@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/workbench/drive_control.h"
+#include "app/workbench/file_chooser.h"
 #include "app/workbench/workbench.h"
 #include "app/workspaces/parts/focus_keeper.h"
 
@@ -23,6 +24,7 @@ namespace halbench::app {
 
 class DriveLimits;
 class JogRow;
+class PathRun;
 class PosePad;
 class ReferenceForm;
 
@@ -34,6 +36,7 @@ class DrivePanel : public QWidget {
 public:
     explicit DrivePanel(Workbench& bench, QWidget* parent = nullptr);
     ~DrivePanel() override;
+    void setFileChooser(FileChooser chooser);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -50,6 +53,7 @@ private:
     void onSetpoint();
     void onSetpointRefused(const QString& text);
     void onStartReference();
+    void sayMotion(const QString& words, bool isWarning);
     void refresh();
     void refreshStop();
     void refreshMode();
@@ -96,6 +100,7 @@ private:
     JogRow* m_jog = nullptr;
     PosePad* m_pose = nullptr;
     ReferenceForm* m_reference = nullptr;
+    PathRun* m_path = nullptr;
     QLabel* m_motion = nullptr;
     QPushButton* m_start = nullptr;
     QPushButton* m_end = nullptr;

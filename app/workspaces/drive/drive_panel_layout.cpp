@@ -5,6 +5,7 @@
 #include "app/workspaces/drive/drive_panel.h"
 #include "app/workspaces/drive/jog_row.h"
 #include "app/workspaces/drive/mode_box.h"
+#include "app/workspaces/drive/path_run.h"
 #include "app/workspaces/drive/pose_pad.h"
 #include "app/workspaces/drive/reference_form.h"
 #include "app/workspaces/parts/panel_parts.h"
@@ -105,6 +106,7 @@ QString DrivePanel::startHelp() {
 void DrivePanel::buildReference(QVBoxLayout* column) {
     QVBoxLayout* section = addSection(column, tr("Reference generator"), this);
     m_reference = new ReferenceForm(this);
+    m_path = new PathRun(m_bench, m_reference->path(), this);
     section->addWidget(m_reference);
     auto* row = new QHBoxLayout;
     row->setSpacing(widgets::GridStep_px);

@@ -1,6 +1,7 @@
 // What the Drive panel says of the motion: where it counts from, where it is, how far the next one goes.
 #include "app/workbench/drive_ability.h"
 #include "app/workspaces/drive/drive_panel.h"
+#include "app/workspaces/drive/path_run.h"
 #include "app/workspaces/drive/reference_form.h"
 #include "app/workspaces/parts/panel_parts.h"
 #include "widgets/controls/quantity_edit.h"
@@ -62,6 +63,11 @@ double DrivePanel::commanded_rad() const {
 
 /// What starting would do, before it is done: each start adds its way to where the one before has ended.
 void DrivePanel::describeMotion() {
+    if (m_reference->isPath()) {
+        const PathRun::Outlook outlook = m_path->outlook();
+        sayMotion(outlook.text, outlook.isWrong);
+        return;
+    }
     const bool isAngle = m_control.mode() == BoardMode::Position;
     const double before = std::max(m_control.excursion_rad(), std::abs(commanded_rad()));
     QString words = isAngle ? tr("Travel: up to %1 from here.").arg(valueText(m_peak))
@@ -81,14 +87,16 @@ void DrivePanel::describeMotion() {
     if (isTooFar || isTooMuch) {
         words += QLatin1Char(' ') + tr("Above the limit: the device may stop.");
     }
+    sayMotion(words, isTooFar || isTooMuch);
+}
+
+void DrivePanel::sayMotion(const QString& words, bool isWarning) {
     const bool isBusy = m_control.canMove() && m_control.isRunning();
-    if (isBusy) {
-        words = tr("A motion is running. End it to start another.");
-    }
-    m_motion->setText(words);
-    m_start->setToolTip(isBusy ? words : startHelp());
+    const QString shown = isBusy ? tr("A motion is running. End it to start another.") : words;
+    m_motion->setText(shown);
+    m_start->setToolTip(isBusy ? shown : startHelp());
     m_start->setAccessibleDescription(m_start->toolTip());
-    showRole(*m_motion, !isBusy && (isTooFar || isTooMuch) ? widgets::Role::Warn : widgets::Role::Muted);
+    showRole(*m_motion, !isBusy && isWarning ? widgets::Role::Warn : widgets::Role::Muted);
 }
 
 } // namespace halbench::app

@@ -1,8 +1,10 @@
 #include "app/workspaces/drive/reference_form.h"
 
+#include "app/workspaces/drive/path_form.h"
 #include "app/workspaces/drive/reference_fields.h"
 #include "app/workspaces/parts/number_check.h"
 #include "app/workspaces/parts/panel_parts.h"
+#include "control/base/assert.h"
 #include "control/base/units.h"
 #include "widgets/controls/quantity_edit.h"
 #include "widgets/language/display_units.h"
@@ -42,6 +44,9 @@ ReferenceForm::ReferenceForm(QWidget* parent) : QWidget(parent) {
     m_currents->setAccessibleName(tr("Currents of the plateaus in ampere"));
     m_currents->setToolTip(tr("Up to 32 currents in A, separated by spaces or semicolons"));
     label(m_currents, tr("Currents (A)"));
+    m_path = new PathForm(this);
+    connect(m_path, &PathForm::changed, this, &ReferenceForm::changed);
+    connect(m_path, &PathForm::refused, this, &ReferenceForm::refused);
     fillShapes();
     refresh();
     connect(m_shape, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &ReferenceForm::refresh);
@@ -60,12 +65,18 @@ void ReferenceForm::addNumber(Field field) {
 void ReferenceForm::fillShapes() {
     const QSignalBlocker quiet(m_shape);
     const int before = m_shape->currentIndex();
+    const QVariant chosen = m_shape->currentData();
     m_shape->clear();
     const int shapes = isPosition() ? PlateausShape - 1 : PlateausShape;
     for (int code = 1; code <= shapes; ++code) {
-        m_shape->addItem(tr(referenceShape(code).title));
+        m_shape->addItem(tr(referenceShape(code).title), code);
     }
-    m_shape->setCurrentIndex(std::clamp(before, 0, shapes - 1));
+    for (const MoveReference::Shape path : m_paths) {
+        if (isPosition()) {
+            m_shape->addItem(pathTitle(path), static_cast<int>(path));
+        }
+    }
+    m_shape->setCurrentIndex(std::max(m_shape->findData(chosen), 0));
     for (const ReferenceFieldSpec& spec : referenceFields()) {
         widgets::QuantityEdit* box = m_numbers.at(spec.field);
         const QSignalBlocker quietBox(box);
@@ -109,10 +120,19 @@ void ReferenceForm::dress(Field field) {
                                             range.min, range.max, range.step});
 }
 
+void ReferenceForm::setPaths(const std::vector<MoveReference::Shape>& paths) {
+    if (paths != m_paths) {
+        m_paths = paths;
+        fillShapes();
+        refresh();
+    }
+}
+
 void ReferenceForm::setUnits(const DisplayUnits& units) {
     if (units == m_units) {
         return;
     }
+    m_path->setUnits(units);
     std::map<Field, double> values;
     for (const ReferenceFieldSpec& spec : referenceFields()) {
         values[spec.field] = m_numbers.at(spec.field)->value() / shownAs(spec.field).factor;
@@ -138,7 +158,7 @@ void ReferenceForm::setMode(devices::BoardMode mode, const devices::AxisSpec& ax
 }
 
 int ReferenceForm::shape() const {
-    return m_shape->currentIndex() + 1;
+    return std::max(m_shape->currentData().toInt(), 1);
 }
 
 void ReferenceForm::label(QWidget* field, const QString& title) {
@@ -161,14 +181,19 @@ void ReferenceForm::refresh() {
         m_labels.at(field)->setVisible(isShown);
     };
     for (const ReferenceFieldSpec& spec : referenceFields()) {
-        show(m_numbers.at(spec.field), hasField(shape(), spec.field));
+        show(m_numbers.at(spec.field), !isPath() && hasField(shape(), spec.field));
     }
     show(m_currents, shape() == PlateausShape);
+    m_path->setVisible(isPath());
+    if (isPath()) {
+        m_path->setShape(static_cast<MoveReference::Shape>(shape()));
+        m_rows->addRow(m_path);
+    }
     Q_EMIT changed();
 }
 
 double ReferenceForm::valueOf(Field field) const {
-    if (!hasField(shape(), field)) {
+    if (isPath() || !hasField(shape(), field)) {
         return 0.0;
     }
     return m_numbers.at(field)->value() / shownAs(field).factor;
@@ -230,6 +255,7 @@ Result<std::vector<ParameterValue>> ReferenceForm::plateauValues() const {
 }
 
 Result<std::vector<ParameterValue>> ReferenceForm::takeValues() {
+    HB_ASSERT(!isPath());
     for (const auto& [field, check] : m_checks) {
         if (!hasField(shape(), field)) {
             continue;
@@ -256,6 +282,10 @@ Result<std::vector<ParameterValue>> ReferenceForm::takeValues() {
 }
 
 double ReferenceForm::peak() const {
+    if (isPath()) {
+        const Result<MoveReference> wanted = m_path->reference();
+        return wanted ? referenceExcursion(*wanted, 0.0) : 0.0;
+    }
     if (shape() == PlateausShape) {
         const Result<std::vector<double>> currents_A = plateaus_A();
         double peak_A = 0.0;

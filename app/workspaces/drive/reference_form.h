@@ -23,6 +23,7 @@ class QuantityEdit;
 namespace halbench::app {
 
 class NumberCheck;
+class PathForm;
 
 /// The parameters of the board's reference generator, as many as the chosen shape has
 /// (resources/help/monitor.md, "Reference generator").
@@ -38,8 +39,13 @@ public:
     void setUnits(const DisplayUnits& units);
     /// Positions of the axis in position mode, currents in the others; plateaus belong to the current modes.
     void setMode(devices::BoardMode mode, const devices::AxisSpec& axis = {});
-    /// 1 ... 7, the board's codes; 7 are plateaus.
+    /// Paths that the board follows with several axes, beside its generator's shapes; in position mode.
+    void setPaths(const std::vector<MoveReference::Shape>& paths);
+    /// 1 ... 7, the board's codes; 7 are plateaus. A path has the code of its MoveReference::Shape.
     int shape() const;
+    /// A path or table is chosen: its numbers are those of path().
+    bool isPath() const { return shape() > PlateausShape; }
+    PathForm& path() { return *m_path; }
     /// What the board needs to know, also from a field that was not left yet. Errors: InvalidInput,
     /// OutOfRange with what is missing; a field whose text was refused is one once (NumberCheck).
     Result<std::vector<ParameterValue>> takeValues();
@@ -70,6 +76,8 @@ private:
     QFormLayout* m_rows = nullptr;
     QComboBox* m_shape = nullptr;
     QLineEdit* m_currents = nullptr;
+    PathForm* m_path = nullptr;
+    std::vector<MoveReference::Shape> m_paths;
     std::map<Field, widgets::QuantityEdit*> m_numbers;
     std::map<Field, NumberCheck*> m_checks; ///< of the same
     std::map<QWidget*, QLabel*> m_labels;   ///< of the fields

@@ -53,8 +53,8 @@ typedef struct {
 } hb_board_signals;
 
 /* One actuator: constant, in flash. `context` of the hooks is what hb_board_init() was given, `page` the
- * calibration in force. A hook may do nothing, but none is NULL except `brake`. Offsets count from the start
- * of the structure named. */
+ * calibration in force. A hook may do nothing, but none is NULL except `brake` and `written`. Offsets count
+ * from the start of the structure named. */
 typedef struct {
     const char* model; /* "htm": the name of its description */
     const hb_signal* signals;
@@ -96,6 +96,8 @@ typedef struct {
     /* Before a value is taken; what the table's limits and the board's own rules cannot say. `offset` counts
      * from the live parameters, or is HB_NO_LIVE. HB_OK, or the error to answer. */
     uint8_t (*check)(void* context, uint16_t offset, float value);
+    /* A live parameter was taken, `offset` as of `check`; for those that act by themselves. */
+    void (*written)(void* context, uint16_t offset);
     void (*stop_reference)(void* context);
     /* One tick of the reference passes; 1 while it runs on. */
     uint8_t (*advance)(void* context);

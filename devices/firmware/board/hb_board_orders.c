@@ -167,6 +167,9 @@ static void parameterWritten(void* context, uint16_t parameter) {
         startOrStopCapture(board);
     }
 #endif
+    else if (live != HB_NO_LIVE && hb_board_actuator(board)->written) {
+        hb_board_actuator(board)->written(board->context, live);
+    }
 }
 
 static uint8_t stopByCommand(void* context) {

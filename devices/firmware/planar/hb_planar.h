@@ -15,6 +15,7 @@
 #include "devices/firmware/control/hb_law.h"
 #include "devices/firmware/control/hb_reference.h"
 #include "devices/firmware/planar/hb_planar_path.h"
+#include "devices/firmware/planar/hb_planar_pieces.h"
 #include "devices/firmware/planar/hb_planar_profile.h"
 #include "devices/firmware/planar/hb_planar_tracker.h"
 #include "devices/firmware/planar/hb_planar_windings.h"
@@ -105,6 +106,9 @@ typedef struct {
     float jerk[HB_AXES];         /* of the S-curve */
     uint8_t target[HB_AXES];     /* HB_TARGET_... */
     hb_path_config path;         /* where it has a shape, x and y follow it instead of their references */
+    hb_piece piece;              /* stored as number `piece_number` when that is written */
+    uint16_t piece_number;
+    uint16_t piece_count; /* that HB_PATH_TABLE follows */
     hb_board_capture capture;
 } hb_planar_live;
 
@@ -138,6 +142,7 @@ typedef struct hb_planar {
     hb_reference excitation[HB_AXES]; /* beside a reference that is held */
     hb_profile profile[HB_AXES];
     hb_path path;
+    hb_pieces pieces;
     hb_law law[HB_AXES];
     float origin[HB_AXES];     /* pose where the mode began */
     float flowing_A[HB_COILS]; /* what the chips see until this tick */

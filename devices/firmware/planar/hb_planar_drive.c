@@ -100,7 +100,15 @@ static void keepPathPoint(hb_planar* planar) {
     }
 }
 
-/* The reference holds the present point of a travel or of the path. */
+static void keepPiecePoint(hb_planar* planar) {
+    hb_reference_point point[HB_PIECE_AXES];
+    hb_pieces_point(&planar->pieces, point);
+    for (uint8_t i = 0; i < HB_PIECE_AXES; i++) {
+        planar->reference[i].held = point[i];
+    }
+}
+
+/* The reference holds the present point of a travel, of the path or of the pieces. */
 static void takeTravelPoints(hb_planar* planar) {
     for (uint8_t i = 0; i < HB_AXES; i++) {
         if (planar->profile[i].running) {
@@ -109,6 +117,9 @@ static void takeTravelPoints(hb_planar* planar) {
     }
     if (planar->path.running) {
         keepPathPoint(planar);
+    }
+    if (planar->pieces.running) {
+        keepPiecePoint(planar);
     }
 }
 
@@ -152,7 +163,8 @@ static void controlCurrents(hb_planar* planar, const hb_planar_calibration* page
 }
 
 static uint8_t isOnPath(const hb_planar* planar, uint8_t axis) {
-    return axis < HB_PATH_AXES && planar->live.path.shape != HB_PATH_NONE;
+    uint8_t shape = planar->live.path.shape;
+    return shape == HB_PATH_TABLE || (axis < HB_PATH_AXES && shape != HB_PATH_NONE);
 }
 
 static uint8_t wantedShape(const hb_planar* planar, uint8_t axis) {
@@ -206,11 +218,15 @@ static void startReference(hb_planar* planar, uint8_t axis, uint8_t is_position)
 }
 
 static void startPath(hb_planar* planar) {
-    float from[HB_PATH_AXES];
-    for (uint8_t i = 0; i < HB_PATH_AXES; i++) {
+    float from[HB_AXES];
+    for (uint8_t i = 0; i < HB_AXES; i++) {
         from[i] = planar->reference[i].held.value;
     }
-    hb_path_start(&planar->path, &planar->live.path, from);
+    if (planar->live.path.shape == HB_PATH_TABLE) {
+        hb_pieces_start(&planar->pieces, planar->live.piece_count, from);
+    } else {
+        hb_path_start(&planar->path, &planar->live.path, from);
+    }
     planar->live.path.shape = HB_PATH_NONE; /* the next start needs it anew */
 }
 
@@ -226,6 +242,7 @@ static void startPendingReferences(hb_planar* planar, const hb_planar_calibratio
         startReference(planar, i, is_position);
     }
     planar->path.running = 0;
+    planar->pieces.running = 0;
     if (is_position && planar->live.path.shape != HB_PATH_NONE) {
         startPath(planar);
     }
@@ -234,7 +251,10 @@ static void startPendingReferences(hb_planar* planar, const hb_planar_calibratio
 static void publishReference(hb_planar* planar) {
     hb_board_signals* board = &planar->signals.board;
     board->reference_segment = planar->path.running ? (uint16_t)(planar->path.piece + 1U) : 0;
-    board->reference_running = planar->path.running;
+    if (planar->pieces.running) {
+        board->reference_segment = (uint16_t)(planar->pieces.piece + 1U);
+    }
+    board->reference_running = planar->path.running || planar->pieces.running;
     for (uint8_t i = 0; i < HB_AXES; i++) {
         uint8_t travels = planar->profile[i].running;
         board->reference_running |= planar->reference[i].running || planar->excitation[i].running || travels;
@@ -319,6 +339,14 @@ void hb_planar_enter_mode(void* planar, uint8_t mode) {
         self->profile[i].running = 0;
     }
     self->path.running = 0;
+    self->pieces.running = 0;
+}
+
+void hb_planar_written(void* planar, uint16_t offset) {
+    hb_planar* self = (hb_planar*)planar;
+    if (offset == offsetof(hb_planar_live, piece_number)) {
+        hb_pieces_store(&self->pieces, self->live.piece_number, &self->live.piece);
+    }
 }
 
 uint8_t hb_planar_check(void* planar, uint16_t offset, float value) {
@@ -337,6 +365,9 @@ uint8_t hb_planar_check(void* planar, uint16_t offset, float value) {
             return HB_ERR_OUT_OF_RANGE; /* a list of currents is for one phase */
         }
     }
+    if (offset == offsetof(hb_planar_live, piece_number) && self->pieces.running) {
+        return HB_ERR_ACCESS_DENIED; /* the motion under way would change */
+    }
     if (offset == offsetof(hb_planar_live, home) && value > 0.5F && hb_board_is_driving(&self->board)) {
         return HB_ERR_ACCESS_DENIED;
     }
@@ -353,6 +384,7 @@ void hb_planar_stop_reference(void* planar) {
         self->reference[i].held.acceleration = 0.0F;
     }
     self->path.running = 0;
+    self->pieces.running = 0;
 }
 
 uint8_t hb_planar_advance(void* planar) {
@@ -371,6 +403,11 @@ uint8_t hb_planar_advance(void* planar) {
         hb_path_advance(&self->path);
         keepPathPoint(self);
         runs |= self->path.running;
+    }
+    if (self->pieces.running) {
+        hb_pieces_advance(&self->pieces);
+        keepPiecePoint(self);
+        runs |= self->pieces.running;
     }
     return runs;
 }

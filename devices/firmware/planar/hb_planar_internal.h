@@ -21,6 +21,7 @@ void hb_planar_drive(void* planar, const void* page);
 uint8_t hb_planar_brake(void* planar, const void* page);
 void hb_planar_enter_mode(void* planar, uint8_t mode);
 uint8_t hb_planar_check(void* planar, uint16_t offset, float value);
+void hb_planar_written(void* planar, uint16_t offset);
 void hb_planar_stop_reference(void* planar);
 uint8_t hb_planar_advance(void* planar);
 

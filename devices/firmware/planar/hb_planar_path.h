@@ -24,7 +24,8 @@ extern "C" {
 #endif
 
 enum { HB_PATH_AXES = 2 };
-enum hb_path_shape { HB_PATH_NONE, HB_PATH_CIRCLE, HB_PATH_RASTER, HB_PATH_ARC, HB_PATH_LINE };
+/* The last one is no path of this file: the pieces of hb_planar_pieces.h, which move every axis. */
+enum hb_path_shape { HB_PATH_NONE, HB_PATH_CIRCLE, HB_PATH_RASTER, HB_PATH_ARC, HB_PATH_LINE, HB_PATH_TABLE };
 
 /* Part of the live parameters; start() copies it. */
 typedef struct {

@@ -18,7 +18,7 @@ static hb_rom_char EstimatorChoices[] = "least squares|tracking filter";
 static hb_rom_char DelayChoices[] = "none|one sample|two samples";
 static hb_rom_char TargetChoices[] = "position|force or torque";
 static hb_rom_char ShapeChoices[] = "none|step|ramp|sine|staircase|chirp|multisine|-|trapezoid|s-curve";
-static hb_rom_char PathChoices[] = "none|circle|raster|arc|line";
+static hb_rom_char PathChoices[] = "none|circle|raster|arc|line|table";
 static hb_rom_char PathProfileChoices[] = "trapezoid|s-curve";
 
 #define SIGNAL(name, unit, member, limit, text)                                                              \
@@ -148,6 +148,16 @@ static const hb_signal Signals[] HB_ROM = {
         LIVE("reference." axis ".seed", "", HB_ULONG, reference[index].seed, 0.0F, 0.0F, HB_LARGEST_ULONG,   \
              NULL, "Phases of the multisine; 0 = Schroeder")
 
+#define PIECE(id, index, unit, speed_unit, acceleration_unit, jerk_unit)                                     \
+    LIVE("table." id ".value", unit, HB_FLOAT32, piece.axis[index].value, 0.0F, -1000.0F, 1000.0F, NULL,     \
+         "Where a piece begins, from where the motion began"),                                               \
+        LIVE("table." id ".speed", speed_unit, HB_FLOAT32, piece.axis[index].speed, 0.0F, -1000.0F, 1000.0F, \
+             NULL, "At the beginning of the piece"),                                                         \
+        LIVE("table." id ".acceleration", acceleration_unit, HB_FLOAT32, piece.axis[index].acceleration,     \
+             0.0F, -1.0e6F, 1.0e6F, NULL, "At the beginning of the piece"),                                  \
+        LIVE("table." id ".jerk", jerk_unit, HB_FLOAT32, piece.axis[index].jerk, 0.0F, -1.0e9F, 1.0e9F,      \
+             NULL, "During the piece")
+
 static const hb_parameter Parameters[] HB_ROM = {
     HB_SET_FIRST(hb_planar_calibration, set_first),
     GAINS("gain.x.kp", "gain.x.ki", "gain.x.kd", 0, "N/m", "N/(m*s)", "N*s/m", 660.48F, 1267.2F, 39.808F),
@@ -238,8 +248,9 @@ static const hb_parameter Parameters[] HB_ROM = {
     REFERENCE("x", 0),
     REFERENCE("y", 1),
     REFERENCE("phi", 2),
-    LIVE("path.shape", "", HB_UBYTE, path.shape, 0.0F, 0.0F, HB_PATH_LINE, PathChoices,
-         "Path that x and y follow from the next start on, once, instead of their references"),
+    LIVE(
+        "path.shape", "", HB_UBYTE, path.shape, 0.0F, 0.0F, HB_PATH_TABLE, PathChoices,
+        "Path that x and y (of a table all axes) follow from the next start on, once, instead of references"),
     LIVE("path.profile", "", HB_UBYTE, path.is_s_curve, 0.0F, 0.0F, 1.0F, PathProfileChoices,
          "Speed along the path: with jumps of the acceleration or with a largest jerk"),
     LIVE("path.radius", "m", HB_FLOAT32, path.radius, 1.0e-3F, -1.0F, 1.0F, NULL,
@@ -257,6 +268,15 @@ static const hb_parameter Parameters[] HB_ROM = {
     LIVE("path.acceleration", "m/s^2", HB_FLOAT32, path.acceleration, 1.0F, 0.0F, 1000.0F, NULL,
          "Largest acceleration on the path"),
     LIVE("path.jerk", "m/s^3", HB_FLOAT32, path.jerk, 100.0F, 0.0F, 1.0e6F, NULL, "Largest jerk on the path"),
+    PIECE("x", 0, "m", "m/s", "m/s^2", "m/s^3"),
+    PIECE("y", 1, "m", "m/s", "m/s^2", "m/s^3"),
+    PIECE("phi", 2, "rad", "rad/s", "rad/s^2", "rad/s^3"),
+    LIVE("table.duration", "s", HB_FLOAT32, piece.duration_s, 0.0F, 0.0F, 3600.0F, NULL,
+         "How long the piece lasts"),
+    LIVE("table.number", "", HB_UWORD, piece_number, 0.0F, 0.0F, HB_PIECES, NULL,
+         "Writing n stores the piece as number n of the table"),
+    LIVE("table.count", "", HB_UWORD, piece_count, 0.0F, 0.0F, HB_PIECES, NULL,
+         "Pieces that path.shape = table follows"),
     HB_BOARD_START(hb_planar_live, board),
 #if HB_FEATURE_CAPTURE
     HB_BOARD_CAPTURE(hb_planar_live, capture),
@@ -297,6 +317,7 @@ const HB_FLASH hb_actuator hb_planar_actuator = {
     .drive = hb_planar_drive,
     .enter_mode = hb_planar_enter_mode,
     .check = hb_planar_check,
+    .written = hb_planar_written,
     .stop_reference = hb_planar_stop_reference,
     .advance = hb_planar_advance,
 };

@@ -56,6 +56,18 @@ TEST_F(CommandOutputs, aFileThatIsThereIsNotOverwritten) {
     }
 }
 
+TEST_F(CommandOutputs, tableOfAReferenceIsAnInput) {
+    const std::string table = there("poses.csv");
+    for (const std::string& reference :
+         {"table,file=" + table, "table,file=" + table + ",rate_mm_s=5", "table,rate_mm_s=5,file=" + table}) {
+        const auto checked =
+            check({"move", "sim:planar", "--reference", reference, "--out", table, "--force"});
+        ASSERT_FALSE(checked) << reference;
+        EXPECT_NE(checked.error().message.find("would overwrite"), std::string::npos);
+        EXPECT_TRUE(check({"move", "sim:planar", "--reference", reference, "--out", path("other.csv")}));
+    }
+}
+
 TEST_F(CommandOutputs, whatIsReadMayBeThere) {
     const std::string file = there("old.toml");
     EXPECT_TRUE(check({"config", "compare", "sim:htm", file}));

@@ -5,5 +5,6 @@
 /* The full library on a Cortex-M4F with an HB-SxI line. build.sh names the actuator (HB_ACTUATOR). */
 #define HB_SXI_BAUD 115200
 #define HB_FEATURE_FUSED_TRIG 1
+#define HB_PIECES 192 /* of a table of poses: 10 kB */
 
 #endif

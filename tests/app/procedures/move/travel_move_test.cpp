@@ -61,20 +61,21 @@ TEST(TravelMove, pathsTellTheirContourError) {
         const MoveConfig config = travelOf("", shape + Limits);
         const MoveResult result = moved(*device, config);
         EXPECT_EQ(result.quality.verdict, Verdict::Good) << shape;
-        ASSERT_TRUE(result.path && result.path->trueContour && result.travel_s) << shape;
+        ASSERT_TRUE(result.contour && result.contour->truth && result.travel_s) << shape;
+        ASSERT_EQ(result.partners.size(), 1u) << shape;
         EXPECT_EQ(result.axis.id, "x");
-        EXPECT_EQ(result.path->axis.id, "y");
+        EXPECT_EQ(result.partners.front().axis.id, "y");
         ASSERT_EQ(result.others.size(), 1u);
         EXPECT_EQ(result.others.front().axis.id, "phi");
         // Second route to the contour error: the error of each axis at the same instant is never smaller.
         const auto peak = [&](const MoveFigures& x, const MoveFigures& y) {
             return std::hypot(x.peakError, y.peakError);
         };
-        EXPECT_GT(result.path->trueContour->peak, 0.0);
-        EXPECT_LE(result.path->trueContour->peak, peak(*result.truth, *result.path->truth)) << shape;
-        EXPECT_LE(result.path->trueContour->rms, result.path->trueContour->peak);
+        EXPECT_GT(result.contour->truth->peak, 0.0);
+        EXPECT_LE(result.contour->truth->peak, peak(*result.truth, *result.partners.front().truth)) << shape;
+        EXPECT_LE(result.contour->truth->rms, result.contour->truth->peak);
         // 66 um of lag at 0.438 m/s^2 by the filtered difference, at 0.5 m/s^2 in two axes: 110 um.
-        EXPECT_LT(result.path->trueContour->peak, 110e-6) << shape;
+        EXPECT_LT(result.contour->truth->peak, 110e-6) << shape;
         EXPECT_EQ(parameter(*device, "path.shape"), 0.0);
     }
 }

@@ -44,7 +44,7 @@ TEST_F(ReferenceFormTest, everyShapeShowsOnlyItsParameters) {
         choose(shape);
         int shown = 0;
         for (const auto* box : form().findChildren<QDoubleSpinBox*>()) {
-            shown += box->isHidden() ? 0 : 1;
+            shown += box->isVisibleTo(&form()) ? 1 : 0;
         }
         EXPECT_EQ(shown, rows[shape - 1]) << shape;
     }

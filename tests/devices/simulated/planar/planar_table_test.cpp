@@ -1,0 +1,119 @@
+#include "tests/devices/simulated/planar/positioner.h"
+
+// A table of poses in the board: it is followed by the board's own clock, and whatever ends a motion ends it.
+
+namespace halbench::devices {
+namespace {
+
+constexpr double Table = 5.0; // path.shape
+
+/// Two pieces, made by hand: x goes from rest to -0.05 m/s with -0.1 m/s^2 in half a second, and on at that
+/// speed for as long; it ends 12.5 + 25 mm away, where the board holds it.
+class Tabled : public Positioner {
+public:
+    Tabled() : Positioner("chain=ideal") {
+        set("coil.force_constant", WindingsForce_N_per_A);
+        set("feedforward.x.inertia", 0.64);
+        set("window.x", 0.09);
+        arm(HB_PLANAR_POSITION);
+        wait(0.5);
+    }
+    void store(double number, double value_m, double speed_m_s, double acceleration_m_s2, double duration_s) {
+        set("table.x.value", value_m);
+        set("table.x.speed", speed_m_s);
+        set("table.x.acceleration", acceleration_m_s2);
+        set("table.duration", duration_s);
+        set("table.number", number);
+    }
+    void start() {
+        store(1.0, 0.0, 0.0, -0.1, 0.5);
+        store(2.0, -0.0125, -0.05, 0.0, 0.5);
+        set("table.count", 2.0);
+        set("path.shape", Table);
+        set("reference.start", 1.0);
+    }
+};
+
+TEST(PlanarTable, isFollowedAndHeldAtItsEnd) {
+    Tabled planar;
+    const double start_m = planar.signal("reference.x");
+    const double y_m = planar.signal("reference.y");
+    planar.start();
+    planar.wait(0.3);
+    // -a t^2/2 of half a second is -12.5 mm; the start came within a tick of two before.
+    EXPECT_LT(planar.signal("reference.x") - start_m, -0.5 * 0.1 * 0.29 * 0.29);
+    EXPECT_EQ(planar.signal("reference.running"), 1.0);
+    EXPECT_EQ(planar.signal("reference.segment"), 1.0);
+    planar.wait(0.4);
+    EXPECT_EQ(planar.signal("reference.segment"), 2.0);
+    planar.wait(0.5);
+    EXPECT_EQ(planar.signal("reference.running"), 0.0);
+    EXPECT_NEAR(planar.signal("reference.x") - start_m, -0.0375, 1e-7);
+    EXPECT_NEAR(planar.signal("reference.y"), y_m, 1e-9); // has no piece that moves it
+    EXPECT_EQ(planar.signal("fault"), 0.0);
+}
+
+TEST(PlanarTable, takesNoPieceWhileItRuns) {
+    Tabled planar;
+    planar.start();
+    planar.wait(0.1);
+    EXPECT_FALSE(planar.canSet("table.number", 1.0));
+    planar.wait(1.2);
+    EXPECT_TRUE(planar.canSet("table.number", 1.0));
+    EXPECT_FALSE(planar.canSet("table.number", HB_PIECES + 1.0));
+}
+
+TEST(PlanarTable, endOfTheReferenceHoldsTheAxisWhereItIs) {
+    Tabled planar;
+    planar.start();
+    planar.wait(0.6);
+    planar.set("reference.start", 0.0);
+    planar.wait(0.01);
+    const double held_m = planar.signal("reference.x");
+    EXPECT_EQ(planar.signal("reference.running"), 0.0);
+    planar.wait(0.3);
+    EXPECT_EQ(planar.signal("reference.x"), held_m);
+}
+
+TEST(PlanarTable, stopBrakesAndLatchesAndTheTableGoesNotOn) {
+    Tabled planar;
+    planar.start();
+    planar.wait(0.7);
+    planar.device().stop();
+    for (int tick = 0; tick < 310; ++tick) {
+        planar.board().tick();
+    }
+    EXPECT_LT(std::fabs(planar.truth().platen.velocity.x_m_s), 5e-3);
+    EXPECT_EQ(planar.firmware().signals.board.status, HB_STATUS_STOPPED);
+    EXPECT_EQ(planar.firmware().pieces.running, 0);
+}
+
+TEST(PlanarTable, silenceOfTheMasterEndsIt) {
+    Tabled planar;
+    planar.store(1.0, 0.0, -0.01, 0.0, 6.0);
+    planar.set("table.count", 1.0);
+    planar.set("path.shape", Table);
+    planar.set("reference.start", 1.0);
+    const auto tick = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            planar.board().tick(); // nobody asks
+        }
+    };
+    for (int i = 0; i < 5000 && planar.firmware().signals.board.status == HB_STATUS_ARMED; ++i) {
+        tick(1);
+    }
+    EXPECT_EQ(planar.firmware().signals.board.status, HB_STATUS_WATCHDOG);
+    EXPECT_EQ(planar.firmware().pieces.running, 0);
+    tick(301);
+    EXPECT_LT(std::fabs(planar.truth().platen.velocity.x_m_s), 5e-3);
+}
+
+TEST(PlanarTable, orderThatWasNotTakenIsNoneForLater) {
+    Tabled planar;
+    planar.set("path.shape", Table);
+    planar.set("hb.mode", HB_MODE_IDLE);
+    EXPECT_EQ(planar.firmware().live.path.shape, HB_PATH_NONE);
+}
+
+} // namespace
+} // namespace halbench::devices

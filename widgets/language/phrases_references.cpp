@@ -1,0 +1,111 @@
+// Written by tests/architecture/phrases.py --write from the sources: not for editing.
+#include "widgets/language/phrases.h"
+
+#include <QtGlobal>
+
+namespace halbench::widgets {
+
+// clang-format off
+namespace {
+
+constexpr const char* Table[] = {
+    QT_TRANSLATE_NOOP("Phrases", "the speed fell to {} rad/s at a base speed of {} rad/s: near standstill friction is not a constant offset"),
+    QT_TRANSLATE_NOOP("Phrases", "speed of the rotor {} rad/s, expected {}"),
+    QT_TRANSLATE_NOOP("Phrases", "identify the motor and give its model: the plan was computed for another motor"),
+    QT_TRANSLATE_NOOP("Phrases", "a {} needs {}"),
+    QT_TRANSLATE_NOOP("Phrases", "Add {}=... to the reference."),
+    QT_TRANSLATE_NOOP("Phrases", "a {} has no {}"),
+    QT_TRANSLATE_NOOP("Phrases", "'{}' is not KEY=VALUE"),
+    QT_TRANSLATE_NOOP("Phrases", "Write a reference like step,amplitude_deg=100. Known keys: {}."),
+    QT_TRANSLATE_NOOP("Phrases", "Write {}=1.5."),
+    QT_TRANSLATE_NOOP("Phrases", "there is no reference shape '{}'"),
+    QT_TRANSLATE_NOOP("Phrases", "Known shapes: {}."),
+    QT_TRANSLATE_NOOP("Phrases", "reference: '{}' is given twice"),
+    QT_TRANSLATE_NOOP("Phrases", "axis {} is rotary, but the reference is a length"),
+    QT_TRANSLATE_NOOP("Phrases", "axis {} is linear, but the reference is an angle"),
+    QT_TRANSLATE_NOOP("Phrases", "height of the step or of one stair, amplitude of sine and chirp, rms of a multisine"),
+    QT_TRANSLATE_NOOP("Phrases", "the same in radians"),
+    QT_TRANSLATE_NOOP("Phrases", "the same in milliradians"),
+    QT_TRANSLATE_NOOP("Phrases", "the same in microradians"),
+    QT_TRANSLATE_NOOP("Phrases", "the same of an axis that moves along a line"),
+    QT_TRANSLATE_NOOP("Phrases", "the same in millimetres"),
+    QT_TRANSLATE_NOOP("Phrases", "the same in micrometres"),
+    QT_TRANSLATE_NOOP("Phrases", "slope of a ramp, largest speed of a travel or path"),
+    QT_TRANSLATE_NOOP("Phrases", "of a sine; the first one of chirp and multisine"),
+    QT_TRANSLATE_NOOP("Phrases", "the last one of chirp and multisine"),
+    QT_TRANSLATE_NOOP("Phrases", "of a sine: 1/frequency; of a staircase: time of one step"),
+    QT_TRANSLATE_NOOP("Phrases", "steps of a staircase, lines of a multisine"),
+    QT_TRANSLATE_NOOP("Phrases", "constant motion added"),
+    QT_TRANSLATE_NOOP("Phrases", "largest acceleration of a travel or path"),
+    QT_TRANSLATE_NOOP("Phrases", "the same of an axis that turns"),
+    QT_TRANSLATE_NOOP("Phrases", "largest jerk of an S-curve or path"),
+    QT_TRANSLATE_NOOP("Phrases", "radius; of a circle the centre lies along the first axis"),
+    QT_TRANSLATE_NOOP("Phrases", "turns of a circle"),
+    QT_TRANSLATE_NOOP("Phrases", "length of the lines of a raster, along the first axis"),
+    QT_TRANSLATE_NOOP("Phrases", "from line to line of a raster, along the second axis"),
+    QT_TRANSLATE_NOOP("Phrases", "lines of a raster"),
+    QT_TRANSLATE_NOOP("Phrases", "angle of an arc, counter-clockwise"),
+    QT_TRANSLATE_NOOP("Phrases", "start direction of arc and line, from first to second axis"),
+    QT_TRANSLATE_NOOP("Phrases", "length of a line"),
+    QT_TRANSLATE_NOOP("Phrases", "rest in every row of a table without time_s"),
+    QT_TRANSLATE_NOOP("Phrases", "phases of a multisine; 0: those of least peak"),
+    QT_TRANSLATE_NOOP("Phrases", "a {} has no file"),
+    QT_TRANSLATE_NOOP("Phrases", "Only a table has a file of poses."),
+    QT_TRANSLATE_NOOP("Phrases", "a reference has no key '{}'"),
+    QT_TRANSLATE_NOOP("Phrases", "Allowed: {} to {}."),
+    QT_TRANSLATE_NOOP("Phrases", "Allowed: {} to {}{}."),
+    QT_TRANSLATE_NOOP("Phrases", ", whole numbers"),
+    QT_TRANSLATE_NOOP("Phrases", "{} does not fit the other keys: a length with an angle"),
+    QT_TRANSLATE_NOOP("Phrases", "Give the whole reference in angles or in lengths."),
+    QT_TRANSLATE_NOOP("Phrases", "without time_s the way to {} needs {}"),
+    QT_TRANSLATE_NOOP("Phrases", "Add {}=... to the reference, or a column time_s to the table."),
+    QT_TRANSLATE_NOOP("Phrases", "Give the row more time, or bring it nearer to the one before. Nothing moved."),
+    QT_TRANSLATE_NOOP("Phrases", "It swings out between two rows: use more even times, or a pause. Nothing moved."),
+    QT_TRANSLATE_NOOP("Phrases", "Use poses nearer to the start, or a wider window. Nothing moved."),
+    QT_TRANSLATE_NOOP("Phrases", "{}: row {}: axis {} {} {} {}{}, the limit is {} {}{} ({})"),
+    QT_TRANSLATE_NOOP("Phrases", "moves at"),
+    QT_TRANSLATE_NOOP("Phrases", "rate of the reference"),
+    QT_TRANSLATE_NOOP("Phrases", "accelerates at"),
+    QT_TRANSLATE_NOOP("Phrases", "acceleration of the reference"),
+    QT_TRANSLATE_NOOP("Phrases", "has a jerk of"),
+    QT_TRANSLATE_NOOP("Phrases", "jerk of the reference"),
+    QT_TRANSLATE_NOOP("Phrases", "dwell_s is for tables without time_s"),
+    QT_TRANSLATE_NOOP("Phrases", "Leave it out: two rows with the same pose are a pause."),
+    QT_TRANSLATE_NOOP("Phrases", "{}: the device has no axis '{}' ({})"),
+    QT_TRANSLATE_NOOP("Phrases", "Its axes: {}."),
+    QT_TRANSLATE_NOOP("Phrases", "{}: axis {} is in {}, not in {} ({})"),
+    QT_TRANSLATE_NOOP("Phrases", "Name the column {}_{}."),
+    QT_TRANSLATE_NOOP("Phrases", "{}: the way takes {} pieces, the board has room for {}"),
+    QT_TRANSLATE_NOOP("Phrases", "Split the table, or use fewer rows."),
+    QT_TRANSLATE_NOOP("Phrases", "{}: row {}: the way takes {} s, the board takes up to {} s"),
+    QT_TRANSLATE_NOOP("Phrases", "Add rows in between."),
+    QT_TRANSLATE_NOOP("Phrases", "a table needs file"),
+    QT_TRANSLATE_NOOP("Phrases", "Add file=POSES.csv to the reference."),
+    QT_TRANSLATE_NOOP("Phrases", "a table has no amplitude and no constant motion"),
+    QT_TRANSLATE_NOOP("Phrases", "Write both into its rows."),
+    QT_TRANSLATE_NOOP("Phrases", "this device follows no table of poses"),
+    QT_TRANSLATE_NOOP("Phrases", "Move one axis: a step, a ramp, a staircase."),
+    QT_TRANSLATE_NOOP("Phrases", "the table of the reference was not read"),
+    QT_TRANSLATE_NOOP("Phrases", "Read the file before the move."),
+    QT_TRANSLATE_NOOP("Phrases", "goes as far as"),
+    QT_TRANSLATE_NOOP("Phrases", "largest force over inertia"),
+    QT_TRANSLATE_NOOP("Phrases", "{}: row {}: axis {} would stand at {} {}, its travel ends at {} {}"),
+    QT_TRANSLATE_NOOP("Phrases", "Poses count from where the axes stand: move them nearer to the middle first. Nothing moved."),
+    QT_TRANSLATE_NOOP("Phrases", "the radius of an arc is positive"),
+    QT_TRANSLATE_NOOP("Phrases", "The sign of angle_deg says whether it bends to the left (positive) or to the right."),
+    QT_TRANSLATE_NOOP("Phrases", "a {} has no constant motion"),
+    QT_TRANSLATE_NOOP("Phrases", "Leave base out."),
+    QT_TRANSLATE_NOOP("Phrases", "the generator of axis {} has no {}"),
+    QT_TRANSLATE_NOOP("Phrases", "It has {}."),
+    QT_TRANSLATE_NOOP("Phrases", "this device follows no path of two axes"),
+    QT_TRANSLATE_NOOP("Phrases", "Move one axis: a step, a trapezoid, an s-curve."),
+};
+
+} // namespace
+// clang-format on
+
+std::span<const char* const> phrasesOfReferences() {
+    return Table;
+}
+
+} // namespace halbench::widgets
