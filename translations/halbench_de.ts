@@ -10527,10 +10527,6 @@
         <translation>größte Kraft durch Trägheit</translation>
     </message>
     <message>
-        <source>{}: row {}: axis {} would stand at {} {}, its travel ends at {} {}</source>
-        <translation>{}: Zeile {}: Achse {} stünde bei {} {}, ihr Weg endet bei {} {}</translation>
-    </message>
-    <message>
         <source>Poses count from where the axes stand: move them nearer to the middle first. Nothing moved.</source>
         <translation>Lagen zählen vom Stand der Achsen: sie zuerst näher zur Mitte bewegen. Es hat sich nichts bewegt.</translation>
     </message>
@@ -10545,6 +10541,18 @@
     <message>
         <source>It swings out between two rows: use more even times, or a pause. Nothing moved.</source>
         <translation>Sie schwingt zwischen zwei Zeilen aus: gleichmäßigere Zeiten oder eine Pause verwenden. Es hat sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>the rate of a table is negative</source>
+        <translation>die Geschwindigkeit einer Tabelle ist negativ</translation>
+    </message>
+    <message>
+        <source>Give the largest speed without a sign; the rows say the direction.</source>
+        <translation>Die größte Geschwindigkeit ohne Vorzeichen angeben; die Zeilen sagen die Richtung.</translation>
+    </message>
+    <message>
+        <source>{}: row {}: axis {} would come to {} {}, its travel ends at {} {}</source>
+        <translation>{}: Zeile {}: Achse {} käme auf {} {}, ihr Weg endet bei {} {}</translation>
     </message>
 </context>
 <context>

@@ -10527,10 +10527,6 @@
         <translation>最大力除以惯量</translation>
     </message>
     <message>
-        <source>{}: row {}: axis {} would stand at {} {}, its travel ends at {} {}</source>
-        <translation>{}：第 {} 行：轴 {} 将位于 {} {}，其行程止于 {} {}</translation>
-    </message>
-    <message>
         <source>Poses count from where the axes stand: move them nearer to the middle first. Nothing moved.</source>
         <translation>位姿从各轴当前位置计：请先将其移近中间。没有任何运动。</translation>
     </message>
@@ -10545,6 +10541,18 @@
     <message>
         <source>It swings out between two rows: use more even times, or a pause. Nothing moved.</source>
         <translation>轴在两行之间摆出：请使用更均匀的时间，或加入停顿。没有任何运动。</translation>
+    </message>
+    <message>
+        <source>the rate of a table is negative</source>
+        <translation>表格的速度为负</translation>
+    </message>
+    <message>
+        <source>Give the largest speed without a sign; the rows say the direction.</source>
+        <translation>请给出不带符号的最大速度；方向由各行给出。</translation>
+    </message>
+    <message>
+        <source>{}: row {}: axis {} would come to {} {}, its travel ends at {} {}</source>
+        <translation>{}：第 {} 行：轴 {} 将到达 {} {}，其行程止于 {} {}</translation>
     </message>
 </context>
 <context>

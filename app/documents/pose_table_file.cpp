@@ -94,6 +94,7 @@ private:
 
     devices::CsvLines m_lines;
     Dialect m_dialect;
+    bool m_isDecimalKnown = false;
     std::vector<Heading> m_headings;
     std::vector<CsvCell> m_cells;
     PoseTable m_table;
@@ -160,11 +161,13 @@ Result<void> TableReader::readHeader() {
     return checkHeadings(line.number);
 }
 
-/// With a separator that is no comma, the first comma in a number makes it the decimal sign of the file.
+/// With a separator that is no comma, the first number with a comma or a point says which is the decimal sign
+/// of the file: rows of whole numbers before it say nothing.
 Result<double> TableReader::numberIn(const CsvLine& line, const CsvCell& cell, const Heading& heading) {
-    const bool hasComma = cell.text.find(',') != std::string_view::npos;
-    if (m_dialect.separator != ',' && hasComma && m_table.rows.empty()) {
-        m_dialect.decimal = ',';
+    const std::size_t sign = cell.text.find_first_of(",.");
+    if (m_dialect.separator != ',' && !m_isDecimalKnown && sign != std::string_view::npos) {
+        m_dialect.decimal = cell.text[sign];
+        m_isDecimalKnown = true;
     }
     double value = 0.0;
     const CellKind kind = devices::readCell(cell.text, m_dialect.decimal, value);

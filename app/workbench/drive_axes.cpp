@@ -117,6 +117,12 @@ std::vector<ParameterValue> DriveAxes::withOthersHeld(std::vector<ParameterValue
                           {{axis.generator + ".shape", 0.0}, {axis.generator + ".base", 0.0}});
         }
     }
+    // The order of a path whose start was lost on the line is none for this start.
+    const bool isPath = std::any_of(values.begin(), values.end(),
+                                    [](const ParameterValue& value) { return value.name == "path.shape"; });
+    if (!isPath && m_bench->session().catalogue().findParameter("path.shape") != nullptr) {
+        values.insert(values.begin(), {"path.shape", 0.0});
+    }
     return values;
 }
 

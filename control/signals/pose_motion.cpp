@@ -208,10 +208,12 @@ PiecePeaks MotionPiece::peaks(std::size_t axis) const {
         add(-start.speed / start.acceleration);
     }
     PiecePeaks peaks;
+    peaks.least = peaks.most = start.value;
     peaks.jerk = std::fabs(start.jerk);
     for (const double time_s : times) {
         const PieceStart point = after(start, time_s);
-        peaks.value = std::max(peaks.value, std::fabs(point.value));
+        peaks.least = std::min(peaks.least, point.value);
+        peaks.most = std::max(peaks.most, point.value);
         peaks.speed = std::max(peaks.speed, std::fabs(point.speed));
         peaks.acceleration = std::max(peaks.acceleration, std::fabs(point.acceleration));
     }
@@ -350,7 +352,8 @@ TravelPoint PoseMotion::at(std::size_t axis, double time_s) const {
 double PoseMotion::reach(std::size_t axis) const {
     double reach = 0.0;
     for (const MotionPiece& piece : m_pieces) {
-        reach = std::max(reach, piece.peaks(axis).value);
+        const PiecePeaks peaks = piece.peaks(axis);
+        reach = std::max({reach, -peaks.least, peaks.most});
     }
     return reach;
 }

@@ -27,9 +27,10 @@ struct PieceStart {
     double jerk = 0.0;
 };
 
-/// Largest magnitudes of one axis within a piece.
+/// Extremes of one axis within a piece: its range, and the largest magnitudes of the rest.
 struct PiecePeaks {
-    double value = 0.0;
+    double least = 0.0;
+    double most = 0.0;
     double speed = 0.0;
     double acceleration = 0.0;
     double jerk = 0.0;

@@ -20,7 +20,8 @@ bool isCommandName(const std::string& name) {
 /// The board puts it back to 0 when it has done it: what is read back says nothing of what was written.
 bool clearsItself(const std::string& name) {
     constexpr std::string_view HomeName = "hb.home";
-    return isCommandName(name) || name == HomeName;
+    constexpr std::string_view PathName = "path.shape"; // taken by the start that follows it
+    return isCommandName(name) || name == HomeName || name == PathName;
 }
 
 /// A command that is not given twice by mistake (3.15): our boards start once for each of these numbers.

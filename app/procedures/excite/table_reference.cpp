@@ -235,6 +235,10 @@ Result<void> checkTableKeys(const MoveReference& reference) {
     if (reference.file.empty()) {
         return failure(ErrorCode::InvalidInput, "a table needs file", "Add file=POSES.csv to the reference.");
     }
+    if (reference.rate < 0.0 || reference.turning.rate < 0.0) {
+        return failure(ErrorCode::InvalidInput, "the rate of a table is negative",
+                       "Give the largest speed without a sign; the rows say the direction.");
+    }
     if (reference.base != 0.0 || reference.amplitude != 0.0) {
         return failure(ErrorCode::InvalidInput, "a table has no amplitude and no constant motion",
                        "Write both into its rows.");
@@ -296,7 +300,7 @@ Result<void> checkTableLimits(const MoveReference& reference, const std::vector<
     for (std::size_t row = 0; row < tabled.table.rows.size(); ++row) {
         for (const TableAxisLimits& limit : limits) {
             const auto column = tabled.table.columnOf(limit.axis);
-            const double away = column ? std::fabs(tabled.table.rows[row][*column]) : 0.0;
+            const double away = column ? std::fabs(limit.from + tabled.table.rows[row][*column]) : 0.0;
             if (column && !(away < limit.window)) {
                 return beyond(tabled.table, {0.0, 0.0, row, {}}, *column, away,
                               {"goes as far as", limit.window, limit.windowName, ""});
@@ -310,8 +314,9 @@ Result<void> checkTableLimits(const MoveReference& reference, const std::vector<
                 continue;
             }
             const control::PiecePeaks peaks = piece.peaks(*column);
-            if (!(peaks.value < limit.window)) {
-                return beyond(tabled.table, piece, *column, peaks.value,
+            const double away = std::max(-(limit.from + peaks.least), limit.from + peaks.most);
+            if (!(away < limit.window)) {
+                return beyond(tabled.table, piece, *column, away,
                               {"goes as far as", limit.window, limit.windowName, ""});
             }
             if (!(peaks.speed < limit.speed)) {
@@ -329,16 +334,19 @@ Result<void> checkTableLimits(const MoveReference& reference, const std::vector<
 
 Result<void> checkTableEnds(const MoveReference& reference, const std::vector<TableAxisEnds>& ends) {
     const PoseTable& table = reference.table->table;
-    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+    for (const control::MotionPiece& piece : reference.table->motion.pieces()) {
         for (const TableAxisEnds& end : ends) {
             const auto column = table.columnOf(end.axis);
-            const double place = column ? end.position + table.rows[row][*column] : 0.0;
-            if (std::fabs(place) > end.travel) {
+            const control::PiecePeaks peaks = column ? piece.peaks(*column) : control::PiecePeaks{};
+            const double least = end.position + peaks.least;
+            const double most = end.position + peaks.most;
+            const double place = -least > most ? least : most;
+            if (column && std::fabs(place) > end.travel) {
                 const std::string& unit = table.columns[*column].unit;
                 return failure(
                     ErrorCode::OutOfRange,
-                    fmt::format("{}: row {}: axis {} would stand at {:.4g} {}, its travel ends at {:.4g} {}",
-                                table.placeOf(row), row + 1, end.axis, place, unit,
+                    fmt::format("{}: row {}: axis {} would come to {:.4g} {}, its travel ends at {:.4g} {}",
+                                table.placeOf(piece.row), piece.row + 1, end.axis, place, unit,
                                 std::copysign(end.travel, place), unit),
                     "Poses count from where the axes stand: move them nearer to the middle first. Nothing "
                     "moved.");

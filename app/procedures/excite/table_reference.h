@@ -39,11 +39,12 @@ Result<std::vector<devices::AxisSpec>> tableAxes(const devices::Catalogue& catal
 /// What one axis of a device allows; the names are those of its parameters.
 struct TableAxisLimits {
     std::string axis;
-    double window = 0.0; ///< from the start
+    double window = 0.0; ///< to either side
     std::string windowName;
     double speed = 0.0;
     std::string speedName;
     std::optional<double> acceleration = {}; ///< where the board's force and the inertia are known
+    double from = 0.0;                       ///< where the motion begins, counted from the window's middle
 };
 /// Every row and the way between. Errors: OutOfRange with file, line, row, value and limit.
 Result<void> checkTableLimits(const MoveReference& reference, const std::vector<TableAxisLimits>& limits);
@@ -54,7 +55,7 @@ struct TableAxisEnds {
     double travel = 0.0; ///< to either side
     double position = 0.0;
 };
-/// Errors: OutOfRange with file, line, row, and how far it may go.
+/// Every row and the way between. Errors: OutOfRange with file, line, row, and how far it may go.
 Result<void> checkTableEnds(const MoveReference& reference, const std::vector<TableAxisEnds>& ends);
 
 /// Position of an axis at a time from the start; nothing of an axis that the table does not move.

@@ -262,7 +262,9 @@ Result<void> setMoveGenerator(devices::Device& device, const MoveConfig& config,
         generatorParameters(config.reference, config.duration_s, axis.generator);
     holdOthers(device.catalogue(), axis, values);
     // An excitation that was cut off may have left it where a reference becomes a force.
-    values.push_back({axis.generator + ".target", 0.0});
+    for (const devices::AxisSpec& each : axesOf(device.catalogue())) {
+        values.push_back({each.generator + ".target", 0.0});
+    }
     if (!movesSeveralAxes(config.reference) && device.catalogue().findParameter("path.shape") != nullptr) {
         values.push_back({"path.shape", 0.0});
     }

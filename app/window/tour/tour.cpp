@@ -80,10 +80,14 @@ void Tour::show(std::size_t number) {
         dock->setAsCurrentTab();
         dock->raise();
     }
-    m_card->setWords({step().title, step().text, static_cast<int>(m_now), static_cast<int>(m_steps.size())});
+    setWords();
     m_card->show();
     m_card->takeFocus();
     place();
+}
+
+void Tour::setWords() {
+    m_card->setWords({step().title, step().text, static_cast<int>(m_now), static_cast<int>(m_steps.size())});
 }
 
 void Tour::next() {
@@ -112,7 +116,9 @@ void Tour::leave() {
         m_docks.widget()->setFocus(Qt::OtherFocusReason);
     }
     m_card->hide();
-    m_frame->hide();
+    if (m_frame) {
+        m_frame->surround(m_window, {});
+    }
 }
 
 /// Another device has other steps; the one that is shown stays if it is still among them.
@@ -121,11 +127,18 @@ void Tour::follow() {
     if (!m_isRunning || steps == m_steps) {
         return;
     }
-    const auto same = std::find(steps.begin(), steps.end(), step());
+    const TourStep shown = step();
+    const auto same = std::find(steps.begin(), steps.end(), shown);
     const std::size_t now = same == steps.end() ? std::min(m_now, steps.size() - 1)
                                                 : static_cast<std::size_t>(same - steps.begin());
     m_steps = std::move(steps);
-    show(now);
+    if (m_steps[now] == shown) { // only its number changes: the user may be at work elsewhere
+        m_now = now;
+        setWords();
+        place();
+    } else {
+        show(now);
+    }
 }
 
 QWidget* Tour::target() const {
@@ -187,6 +200,9 @@ void Tour::place() {
     }
     m_card->setGeometry(cardPlace(room(), isShown && shown->window() == &m_window ? place : QRect(), stop,
                                   m_card->sizeIn(room().size())));
+    if (!m_frame) {
+        m_frame = new TourFrame(&m_window);
+    }
     m_frame->surround(isShown ? *shown->window() : static_cast<QWidget&>(m_window), place);
     m_card->raise();
 }

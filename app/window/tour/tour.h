@@ -41,6 +41,7 @@ protected:
 private:
     void startOrSwitch();
     void show(std::size_t step);
+    void setWords();
     void follow();
     void place();
     void watch(QWidget* target);
@@ -54,8 +55,8 @@ private:
     DeviceSession& m_session;
     QMenu* m_menu = nullptr; ///< which the last step points at
     TourCard* m_card = nullptr;
-    TourFrame* m_frame = nullptr;
-    QPointer<QWidget> m_target; ///< whose place is watched
+    QPointer<TourFrame> m_frame; ///< goes with a floating panel that is deleted
+    QPointer<QWidget> m_target;  ///< whose place is watched
     std::vector<TourStep> m_steps;
     std::size_t m_now = 0;
     bool m_isRunning = false;

@@ -18,13 +18,14 @@ TourFrame::TourFrame(QWidget* window) : QWidget(window) {
 }
 
 void TourFrame::surround(QWidget& window, const QRect& target) {
+    // Hidden, too: a floating panel that it was drawn on may be deleted.
+    if (parentWidget() != &window) {
+        setParent(&window);
+    }
     const QRect shown = target & window.rect();
     if (shown.isEmpty()) {
         hide();
         return;
-    }
-    if (parentWidget() != &window) {
-        setParent(&window);
     }
     setGeometry(shown);
     setMask(QRegion(rect()) - QRegion(rect().marginsRemoved({Line_px, Line_px, Line_px, Line_px})));

@@ -12,7 +12,7 @@
 #include <QPointer>
 #include <QStringList>
 
-#include <cmath>
+#include <limits>
 
 namespace halbench::app {
 
@@ -31,7 +31,8 @@ Result<std::vector<devices::AxisSpec>> PathRun::movedAxes(const MoveReference& r
                 : failure(pair.error());
 }
 
-/// What is left of the windows from where each axis is told to be.
+/// The windows, and where in them each axis is told to be. A value that was not read yet is no limit: the
+/// board has it.
 std::vector<TableAxisLimits> PathRun::limitsOf(const std::vector<devices::AxisSpec>& axes) const {
     const devices::Catalogue& catalogue = m_bench.session().catalogue();
     const DriveControl& control = m_bench.drive();
@@ -39,13 +40,15 @@ std::vector<TableAxisLimits> PathRun::limitsOf(const std::vector<devices::AxisSp
     for (const devices::AxisSpec& axis : axes) {
         const std::string window = parameterOfRole(catalogue, axis.roles.positionWindow);
         const std::string speed = parameterOfRole(catalogue, axis.roles.speedWindow);
-        const double used = control.isArmed() ? std::fabs(control.commanded(axis.id)) : 0.0;
+        const double from = control.isArmed() ? control.commanded(axis.id) : 0.0;
+        constexpr double Unknown = std::numeric_limits<double>::infinity();
         limits.push_back({axis.id,
-                          m_bench.deviceValue(window).value_or(0.0) - used,
+                          m_bench.deviceValue(window).value_or(Unknown),
                           window,
-                          m_bench.deviceValue(speed).value_or(0.0),
+                          m_bench.deviceValue(speed).value_or(Unknown),
                           speed,
-                          {}});
+                          {},
+                          from});
     }
     return limits;
 }

@@ -385,6 +385,8 @@ void hb_planar_stop_reference(void* planar) {
     }
     self->path.running = 0;
     self->pieces.running = 0;
+    self->live.path.shape =
+        HB_PATH_NONE; /* nor does an order that was not taken yet start with the next one */
 }
 
 uint8_t hb_planar_advance(void* planar) {

@@ -41,6 +41,18 @@ TEST(PoseTable, isTheSameInEveryDialect) {
     }
 }
 
+// A table begins with the pose 0, which has no decimal sign.
+TEST(PoseTable, rowsOfWholeNumbersDoNotFixTheDecimalSign) {
+    const auto comma = parsePoseTable("time_s;x_mm\n0;0\n1;2\n1,5;-2,25\n", "p");
+    ASSERT_TRUE(comma) << comma.error().message;
+    EXPECT_DOUBLE_EQ(comma->time_s[2], 1.5);
+    EXPECT_DOUBLE_EQ(comma->rows[2][0], -2.25e-3);
+    const auto point = parsePoseTable("time_s;x_mm\n0;0\n1.5;2\n", "p");
+    ASSERT_TRUE(point);
+    EXPECT_DOUBLE_EQ(point->time_s[1], 1.5);
+    EXPECT_FALSE(parsePoseTable("time_s;x_mm\n0;0\n1.5;2\n2,5;2\n", "p")) << "one file, one sign";
+}
+
 TEST(PoseTable, everyMistakeIsToldWithItsPlace) {
     struct Case {
         std::string text;

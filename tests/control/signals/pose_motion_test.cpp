@@ -124,15 +124,19 @@ TEST(PoseMotion, peaksOfAPieceAreTheLargestOfItsSamples) {
             {random.gaussian(), random.gaussian(), run % 5 == 0 ? 0.0 : 5.0 * random.gaussian(), jerk});
         const PiecePeaks peaks = piece.peaks(0);
         PiecePeaks seen;
+        seen.least = seen.most = piece.at(0, 0.0).value;
         for (int i = 0; i <= 1000; ++i) {
             const TravelPoint point = piece.at(0, piece.duration_s * i / 1000.0);
-            seen.value = std::max(seen.value, std::fabs(point.value));
+            seen.least = std::min(seen.least, point.value);
+            seen.most = std::max(seen.most, point.value);
             seen.speed = std::max(seen.speed, std::fabs(point.speed));
             seen.acceleration = std::max(seen.acceleration, std::fabs(point.acceleration));
         }
         // Between two samples a peak is flat: missed by its curvature times an eighth of the step squared.
-        EXPECT_GE(peaks.value, seen.value - 1e-12);
-        EXPECT_NEAR(peaks.value, seen.value, 1e-4);
+        EXPECT_GE(peaks.most, seen.most - 1e-12);
+        EXPECT_NEAR(peaks.most, seen.most, 1e-4);
+        EXPECT_LE(peaks.least, seen.least + 1e-12);
+        EXPECT_NEAR(peaks.least, seen.least, 1e-4);
         EXPECT_GE(peaks.speed, seen.speed - 1e-12);
         EXPECT_NEAR(peaks.speed, seen.speed, 1e-4);
         EXPECT_DOUBLE_EQ(peaks.acceleration, seen.acceleration);

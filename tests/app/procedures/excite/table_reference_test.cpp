@@ -192,12 +192,51 @@ TEST(TableReference, everyRowAndTheWayBetweenStayWithinTheWindows) {
               std::string::npos);
 }
 
+// 8 mm of 10 mm to the right: the way back to the left is free, 3 mm farther to the right are not.
+TEST(TableReference, theWindowCountsFromItsMiddle) {
+    const auto fits = [](const char* text, double from) {
+        TableAxisLimits limits{"x", 0.01, "window.x", 1.0, "window.speed"};
+        limits.from = from;
+        return checkTableLimits(attached(text), {limits});
+    };
+    EXPECT_TRUE(fits("time_s,x_mm\n1,-3\n2,-5\n", 0.008));
+    EXPECT_TRUE(fits("time_s,x_mm\n1,3\n2,5\n", -0.008));
+    const auto beyond = fits("time_s,x_mm\n1,2\n2,3\n", 0.008);
+    ASSERT_FALSE(beyond);
+    EXPECT_NE(beyond.error().message.find("goes as far as 0.01"), std::string::npos)
+        << beyond.error().message;
+    EXPECT_NE(beyond.error().message.find("the limit is 0.01 m (window.x)"), std::string::npos);
+    EXPECT_FALSE(fits("time_s,x_mm\n1,-2\n2,-3\n", -0.008));
+}
+
+// Rows at 4 mm each, uneven in time: the spline swings beyond them, and the end of the travel is there.
+TEST(TableReference, theWayBetweenRowsEndsAtTheEndOfTheTravelToo) {
+    const MoveReference reference = attached("time_s,x_mm\n1,4\n1.3,4.4\n6,4\n");
+    const double most = tableReach(reference, "x");
+    ASSERT_GT(most, 4.5e-3);
+    EXPECT_TRUE(checkTableEnds(reference, {{"x", 0.05, 0.05 - most - 1e-6}}));
+    const auto beyond = checkTableEnds(reference, {{"x", 0.05, 0.0455}});
+    ASSERT_FALSE(beyond);
+    EXPECT_NE(beyond.error().message.find("its travel ends at 0.05 m"), std::string::npos)
+        << beyond.error().message;
+}
+
+TEST(TableReference, aNegativeRateIsNoLimit) {
+    MoveReference reference = wanted();
+    EXPECT_TRUE(checkTableKeys(reference));
+    reference.rate = -0.005;
+    EXPECT_FALSE(checkTableKeys(reference));
+    reference.rate = 0.0;
+    reference.turning.rate = -1.0;
+    EXPECT_FALSE(checkTableKeys(reference));
+}
+
 TEST(TableReference, noRowLiesBeyondTheEndOfTheTravel) {
     const MoveReference reference = attached("time_s,x_mm\n1,2\n3,-3\n");
     EXPECT_TRUE(checkTableEnds(reference, {{"x", 0.05, 0.0479}}));
     const auto beyond = checkTableEnds(reference, {{"x", 0.05, 0.049}});
     ASSERT_FALSE(beyond);
-    EXPECT_TRUE(beyond.error().message.starts_with("p.csv:2: row 1: axis x would stand at 0.051 m"))
+    EXPECT_TRUE(beyond.error().message.starts_with("p.csv:2: row 1: axis x would come to 0.051"))
         << beyond.error().message;
     EXPECT_FALSE(checkTableEnds(reference, {{"x", 0.05, -0.048}}));
 }

@@ -289,5 +289,20 @@ TEST_F(TourTest, aPanelThatIsClosedMeanwhileHasNoFrame) {
     EXPECT_TRUE(card().isVisible());
 }
 
+// A floating panel that the frame was drawn on is deleted when another arrangement is chosen.
+TEST_F(TourTest, frameComesHomeBeforeItsPanelGoes) {
+    QWidget home;
+    auto floating = std::make_unique<QWidget>();
+    floating->resize(200, 100);
+    const QPointer<TourFrame> drawn = new TourFrame(&home);
+    drawn->surround(*floating, {10, 10, 50, 50});
+    EXPECT_EQ(drawn->parentWidget(), floating.get());
+    drawn->surround(home, {});
+    floating.reset();
+    ASSERT_FALSE(drawn.isNull());
+    EXPECT_EQ(drawn->parentWidget(), &home);
+    EXPECT_FALSE(drawn->isVisible());
+}
+
 } // namespace
 } // namespace halbench::app

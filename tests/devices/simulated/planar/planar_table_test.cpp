@@ -111,8 +111,57 @@ TEST(PlanarTable, silenceOfTheMasterEndsIt) {
 TEST(PlanarTable, orderThatWasNotTakenIsNoneForLater) {
     Tabled planar;
     planar.set("path.shape", Table);
+    planar.set("reference.start", 0.0); // as the host ends what it could not start
+    planar.wait(0.01);
+    EXPECT_EQ(planar.firmware().live.path.shape, HB_PATH_NONE);
+    planar.set("path.shape", Table);
     planar.set("hb.mode", HB_MODE_IDLE);
     EXPECT_EQ(planar.firmware().live.path.shape, HB_PATH_NONE);
+}
+
+// Pieces of an earlier, longer motion lie behind those of this one; a start with their number mixes both.
+TEST(PlanarTable, runsOnlyWithThePiecesThatBelongTogether) {
+    Tabled planar;
+    const auto runsWith = [&planar](double count) {
+        planar.set("table.count", count);
+        planar.set("path.shape", Table);
+        planar.set("reference.start", 1.0);
+        planar.wait(0.05);
+        const bool runs = planar.signal("reference.running") == 1.0;
+        planar.set("reference.start", 0.0);
+        planar.wait(0.05);
+        return runs;
+    };
+    for (int number = 1; number <= 4; ++number) {
+        planar.store(number, 0.0, 0.0, 0.0, 0.5);
+    }
+    EXPECT_TRUE(runsWith(4.0));
+    planar.store(1.0, 0.0, 0.0, 0.0, 0.5);
+    planar.store(2.0, 0.0, 0.0, 0.0, 0.5);
+    planar.store(2.0, 0.0, 0.0, 0.0, 0.5); // repeated on a line that lost the answer
+    EXPECT_FALSE(runsWith(4.0));
+    EXPECT_FALSE(runsWith(1.0));
+    EXPECT_FALSE(runsWith(0.0));
+    EXPECT_TRUE(runsWith(2.0));
+    EXPECT_TRUE(runsWith(2.0)) << "the same motion again";
+    planar.store(4.0, 0.0, 0.0, 0.0, 0.5); // one is missing
+    EXPECT_FALSE(runsWith(4.0));
+    planar.store(1.0, 0.002, 0.0, 0.0, 0.5); // 2 mm beside the axis
+    EXPECT_FALSE(runsWith(1.0));
+}
+
+TEST(PlanarTable, endsWhereTheNextPieceBeginsElsewhere) {
+    Tabled planar;
+    const double start_m = planar.signal("reference.x");
+    planar.store(1.0, 0.0, -0.01, 0.0, 0.3);
+    planar.store(2.0, -0.013, -0.01, 0.0, 0.3); // 10 mm farther than the first ends
+    planar.set("table.count", 2.0);
+    planar.set("path.shape", Table);
+    planar.set("reference.start", 1.0);
+    planar.wait(0.5);
+    EXPECT_EQ(planar.signal("reference.running"), 0.0);
+    EXPECT_NEAR(planar.signal("reference.x") - start_m, -0.003, 1e-6);
+    EXPECT_EQ(planar.signal("fault"), 0.0);
 }
 
 } // namespace
