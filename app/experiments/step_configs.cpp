@@ -257,6 +257,25 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
     return config;
 }
 
+namespace {
+
+/// Before the first step moves anything.
+Result<void> checkRepeat(const devices::Catalogue& catalogue, const MoveConfig& config,
+                         const ExperimentStep& step) {
+    const auto repeat = repeatConfigOf(catalogue, step);
+    if (!repeat) {
+        return failure(repeat.error());
+    }
+    if (repeat->alternates && movesSeveralAxes(config.reference)) {
+        return at(*step.find("alternate"),
+                  {ErrorCode::InvalidInput, "a path does not alternate its direction",
+                   "repeat it as it is: it ends where its last line ends"});
+    }
+    return {};
+}
+
+} // namespace
+
 Result<void> checkAxisOf(const devices::Catalogue& catalogue, const ExperimentStep& step) {
     const Result<MoveConfig> config = moveConfigOf(step);
     if (!config) {
@@ -264,16 +283,15 @@ Result<void> checkAxisOf(const devices::Catalogue& catalogue, const ExperimentSt
     }
     if (isPath(config->reference)) {
         const auto axes = pathAxes(catalogue);
-        return axes ? Result<void>() : failure(axes.error());
+        return axes ? checkRepeat(catalogue, *config, step) : failure(axes.error());
     }
     if (isTable(config->reference)) {
         const auto axes = tableAxes(catalogue, config->reference);
-        return axes ? Result<void>() : at(*step.find("reference.file"), axes.error());
+        return axes ? checkRepeat(catalogue, *config, step) : at(*step.find("reference.file"), axes.error());
     }
     const Result<devices::AxisSpec> axis = chosenAxis(catalogue, config->axis);
     const Result<void> suits = axis ? checkQuantity(config->reference, *axis) : failure(axis.error());
-    const auto repeat = suits ? repeatConfigOf(catalogue, step) : failure(suits.error());
-    return repeat ? Result<void>() : failure(repeat.error());
+    return suits ? checkRepeat(catalogue, *config, step) : suits;
 }
 
 Result<RepeatConfig> repeatConfigOf(const devices::Catalogue& catalogue, const ExperimentStep& step) {
