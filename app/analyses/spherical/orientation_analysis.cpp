@@ -1,8 +1,7 @@
 #include "app/analyses/spherical/orientation_analysis.h"
 
 #include "app/analyses/spherical/orientation_confidence.h"
-#include "app/analyses/spherical/orientation_readings.h"
-#include "app/analyses/spherical/placement_choice.h"
+#include "app/analyses/spherical/orientation_quality.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/result_text.h"
@@ -21,57 +20,10 @@ namespace halbench::app {
 
 namespace {
 
-using models::OrientationVerdict;
-
 constexpr std::array VerdictNames = {"determined", "reduced", "ambiguous", "not_determined", "not_converged"};
 constexpr std::size_t ListedPoses = 1000;
 constexpr std::size_t ListedProblems = 50;
 constexpr std::size_t RowsBetweenQuestions = 256;
-constexpr double Missing = std::numeric_limits<double>::quiet_NaN();
-/// Nearer to a wrong pose than this: an error of the branch, not of the noise.
-constexpr double BranchLimit_rad = 0.17453292519943295;
-/// Half of the published workspace: a cone as wide says nothing about the shaft.
-constexpr double UselessCone_rad = 0.25 * Pi;
-/// Errors of the tensor, over its size, that an uncertain stray field may make: up to the first the errors of
-/// the orientation are small angles, beyond the second the start of the fit lies near another pose.
-constexpr double SmallTensorError_ratio = 0.1;
-constexpr double LargeTensorError_ratio = 0.3;
-/// The additive model explains its own readings to their noise, those of an exact device to a tenth and
-/// worse.
-constexpr double MisfitLimit_ratio = 0.05;
-
-/// One row of the result.
-struct OrientedPose {
-    models::OrientationEstimate estimate;
-    bool hasUncertainty = false;
-    models::OrientationAngles angles;
-    models::ShaftDirection shaft;
-    models::AngleIntervals interval;
-    double cone_rad = Missing;
-    double misfit_ratio = Missing; ///< of an additive estimate: residuals over readings, both rms
-    double error_rad = Missing;    ///< against the truth, modulo the symmetry of the rotor
-
-    bool isOriented() const {
-        return estimate.verdict == OrientationVerdict::Determined ||
-               estimate.verdict == OrientationVerdict::Reduced;
-    }
-};
-
-struct Orientation {
-    models::EstimatorKind kind = models::EstimatorKind::Refined;
-    PlacementChoice choice;
-    std::optional<OrientationConfidence> confidence;
-    OrientationReadings readings;
-    double tensorError_ratio = 0.0; ///< with a stray field as an unknown: rms along its weakest direction
-    std::vector<OrientedPose> poses;
-
-    bool isTensor() const { return kind <= models::EstimatorKind::LevenbergMarquardt; }
-    std::size_t count(OrientationVerdict verdict) const {
-        return static_cast<std::size_t>(
-            std::count_if(poses.begin(), poses.end(),
-                          [verdict](const OrientedPose& pose) { return pose.estimate.verdict == verdict; }));
-    }
-};
 
 std::vector<AnalysisKey> orientationKeys() {
     using enum AnalysisKeyType;
@@ -150,7 +102,7 @@ Result<PoseSolver> tensorSolver(const AnalysisValues& values, Orientation& work)
                                                                         work.readings.coilCurrent_A[row]),
                                            work.readings.used[row]);
         if (pose.isOriented() && pose.estimate.freedom > 0 && pose.estimate.chiSquare > possible) {
-            pose.estimate.verdict = OrientationVerdict::NotConverged;
+            pose.estimate.verdict = models::OrientationVerdict::NotConverged;
         }
         pose.hasUncertainty = pose.isOriented();
         if (pose.hasUncertainty) {
@@ -175,7 +127,8 @@ Result<PoseSolver> additiveSolver(const AnalysisValues& values, const Orientatio
         if (work.readings.used[row] == models::AllChannels) {
             const models::SphericalReadings& readings_T = work.readings.readings_T[row];
             const std::optional<Eigen::Matrix3d> found = estimator(readings_T);
-            pose.estimate.verdict = found ? OrientationVerdict::Determined : OrientationVerdict::NotConverged;
+            pose.estimate.verdict =
+                found ? models::OrientationVerdict::Determined : models::OrientationVerdict::NotConverged;
             pose.estimate.rotation = found.value_or(Eigen::Matrix3d::Identity());
             pose.estimate.strength_T = work.choice.device.strength_T;
             pose.misfit_ratio =
@@ -215,26 +168,6 @@ Result<void> solveAll(const AnalysisValues& values, const AnalysisControl& contr
         work.poses.push_back(pose);
     }
     return {};
-}
-
-double percentile(std::vector<double> values, double ratio) {
-    if (values.empty()) {
-        return Missing;
-    }
-    const auto place = static_cast<std::size_t>(ratio * static_cast<double>(values.size() - 1) + 0.5);
-    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
-    return values[place];
-}
-
-template <typename Value>
-std::vector<double> ofPoses(const Orientation& work, Value value) {
-    std::vector<double> values;
-    for (const OrientedPose& pose : work.poses) {
-        if (pose.isOriented() && std::isfinite(value(pose))) {
-            values.push_back(value(pose));
-        }
-    }
-    return values;
 }
 
 JsonValue chiSquareJson(const Orientation& work) {
@@ -310,7 +243,7 @@ JsonValue poseJson(const Orientation& work, std::size_t row) {
     angle("cone95_deg", pose.cone_rad, pose.hasUncertainty);
     document.set("chi_square", pose.hasUncertainty ? JsonValue(pose.estimate.chiSquare) : JsonValue());
     angle("error_deg", pose.error_rad, std::isfinite(pose.error_rad));
-    if (pose.estimate.verdict == OrientationVerdict::Ambiguous) {
+    if (pose.estimate.verdict == models::OrientationVerdict::Ambiguous) {
         const auto one = models::anglesOf(pose.estimate.rotation);
         const auto other = models::anglesOf(models::representative(pose.estimate.other));
         JsonValue images = JsonValue::array();
@@ -327,7 +260,8 @@ JsonValue toBody(const Orientation& work) {
     body.set("placement", placementJson(work.choice.device, work.choice.placement));
     body.set("rows", static_cast<std::uint64_t>(work.poses.size()));
     for (std::size_t i = 0; i < VerdictNames.size(); ++i) {
-        body.set(VerdictNames[i], static_cast<std::uint64_t>(work.count(static_cast<OrientationVerdict>(i))));
+        body.set(VerdictNames[i],
+                 static_cast<std::uint64_t>(work.count(static_cast<models::OrientationVerdict>(i))));
     }
     const auto strength = ofPoses(work, [](const OrientedPose& pose) { return pose.estimate.strength_T; });
     body.set("strength_T", finiteOrNull(percentile(strength, 0.5)));
@@ -350,7 +284,7 @@ JsonValue toBody(const Orientation& work) {
         if (row % step == 0) {
             poses.push(poseJson(work, row));
         }
-        if (work.poses[row].estimate.verdict != OrientationVerdict::Determined &&
+        if (work.poses[row].estimate.verdict != models::OrientationVerdict::Determined &&
             problems.items().size() < ListedProblems) {
             problems.push(poseJson(work, row));
         }
@@ -424,145 +358,13 @@ AnalysisPlot errorPlot(const Orientation& work) {
     return {"Error of the orientation", {"time", "s"}, {{{"error", "deg"}, {error}}}};
 }
 
-template <typename Note>
-void noteSaturation(const Orientation& work, Note note) {
-    std::string names;
-    for (const std::size_t channel : work.readings.saturated) {
-        names += (names.empty() ? "" : ", ") + work.readings.names[channel];
-    }
-    const double saturation_mT = 1e3 * *work.readings.saturation_T;
-    if (work.readings.saturated.size() == 1) {
-        note(
-            Verdict::Doubtful, "perhaps_clipped",
-            fmt::format("{} rests at the largest reading, {:.4g} mT: it may be clipped and is left out there",
-                        names, saturation_mT),
-            "give the range of the sensors with --range-mT");
-    } else {
-        note(Verdict::Doubtful, "saturated",
-             fmt::format("{} are saturated at {:.4g} mT: they are left out there", names, saturation_mT),
-             "use sensors with a larger range or a larger radius, or give the range with --range-mT");
-    }
-}
-
-/// Poses that the truth contradicts: no residual shows a sign or a frame that is wrong for all readings
-/// alike.
-template <typename Note>
-void noteTruth(const Orientation& work, Note note) {
-    const auto error = ofPoses(work, [](const OrientedPose& pose) { return pose.error_rad; });
-    const auto wrong = static_cast<std::size_t>(
-        std::count_if(error.begin(), error.end(), [](double e) { return e > BranchLimit_rad; }));
-    if (wrong == 0) {
-        return;
-    }
-    const bool areMost = 2 * wrong > error.size();
-    const bool areReversed = std::abs(percentile(error, 0.5) - 0.5 * Pi) < BranchLimit_rad;
-    note(areMost ? Verdict::Refused : Verdict::Doubtful, "disagrees_with_truth",
-         fmt::format("{} of {} poses differ from the true ones by more than {:.0f} degrees", wrong,
-                     error.size(), radiansToDegrees(BranchLimit_rad)),
-         areReversed
-             ? "half a turn of the field lies between them: check the sign of the readings"
-             : "check placement, frames, radius and the names of the readings and of the true angles");
-}
-
-/// Estimates that say less than they seem to.
-template <typename Note>
-void noteUncertain(const Orientation& work, Note note) {
-    const double cone_rad =
-        percentile(ofPoses(work, [](const OrientedPose& pose) { return pose.cone_rad; }), 0.5);
-    if (cone_rad > BranchLimit_rad) {
-        note(cone_rad > UselessCone_rad ? Verdict::Refused : Verdict::Doubtful, "orientation_uncertain",
-             fmt::format("the 95 % cone of the shaft is {:.0f} degrees wide to each side",
-                         radiansToDegrees(cone_rad)),
-             "calibrate the sensors, or use another placement");
-    }
-    if (work.tensorError_ratio > SmallTensorError_ratio) {
-        note(work.tensorError_ratio > LargeTensorError_ratio ? Verdict::Refused : Verdict::Doubtful,
-             "stray_field_not_separable",
-             fmt::format("errors of the sensors become {:.0f} % of the rotor's field where a stray field is "
-                         "estimated too",
-                         1e2 * work.tensorError_ratio),
-             "calibrate the sensors first, or leave --stray out");
-    }
-    const double misfit_ratio =
-        percentile(ofPoses(work, [](const OrientedPose& pose) { return pose.misfit_ratio; }), 0.5);
-    if (misfit_ratio > MisfitLimit_ratio) {
-        note(
-            Verdict::Doubtful, "additive_model_does_not_fit",
-            fmt::format("the additive model leaves {:.0f} % of the readings unexplained", 1e2 * misfit_ratio),
-            "check placement and radius, or use the estimator 'refined' for a real device");
-    }
-}
-
-DataQuality qualityOf(const Orientation& work) {
-    DataQuality quality;
-    const auto note = [&](Verdict verdict, const char* code, std::string message, std::string hint) {
-        quality.verdict = std::max(quality.verdict, verdict);
-        quality.findings.push_back({code, std::move(message), std::move(hint)});
-    };
-    const std::size_t rows = work.poses.size();
-    const std::size_t determined = work.count(OrientationVerdict::Determined);
-    const std::size_t reduced = work.count(OrientationVerdict::Reduced);
-    if (determined + reduced == 0) {
-        const bool isUnexplained = work.count(OrientationVerdict::NotConverged) > 0;
-        note(Verdict::Refused, "no_pose", fmt::format("none of {} rows determines an orientation", rows),
-             isUnexplained ? "no pose explains the readings: check placement, frames, harmonics and units, "
-                             "calibrate, or give the true --noise-uT"
-                           : "give at least four channels that are neither missing nor clipped, in tesla");
-    } else if (determined + reduced < rows) {
-        note(Verdict::Doubtful, "poses_without_orientation",
-             fmt::format("{} of {} rows have no orientation: {} ambiguous, {} without enough channels or "
-                         "field, {} that no pose explains",
-                         rows - determined - reduced, rows, work.count(OrientationVerdict::Ambiguous),
-                         work.count(OrientationVerdict::NotDetermined),
-                         work.count(OrientationVerdict::NotConverged)),
-             "see 'problems'");
-    }
-    if (const std::size_t wrong = work.count(OrientationVerdict::NotConverged);
-        determined + reduced > 0 && 2 * wrong > rows) {
-        note(Verdict::Refused, "model_does_not_fit",
-             fmt::format("no pose explains {} of {} rows: the others fit by chance", wrong, rows),
-             "check placement, frames, harmonics and units, calibrate, or give the true --noise-uT");
-    }
-    if (reduced > 0) {
-        note(Verdict::Doubtful, "reduced_integrity",
-             fmt::format("{} poses come from too few channels to test them", reduced),
-             "use a sensor with a larger range or another placement");
-    }
-    for (std::size_t i = 0; i < models::ChannelCount; ++i) {
-        if (work.readings.missing[i] > 0 || work.readings.clipped[i] > 0) {
-            note(Verdict::Good, "channel_left_out",
-                 fmt::format("{}: {} values missing, {} clipped", work.readings.names[i],
-                             work.readings.missing[i], work.readings.clipped[i]),
-                 "they are left out of the estimate");
-        }
-    }
-    if (work.readings.saturation_T) {
-        noteSaturation(work, note);
-    }
-    noteUncertain(work, note);
-    noteTruth(work, note);
-    const auto chi = ofPoses(work, [](const OrientedPose& pose) {
-        return pose.hasUncertainty && pose.estimate.freedom > 0
-                   ? pose.estimate.chiSquare / pose.estimate.freedom
-                   : Missing;
-    });
-    const double typical = percentile(chi, 0.5);
-    if (typical > 5.0) {
-        note(Verdict::Doubtful, "residual_too_large",
-             fmt::format(
-                 "the residuals are {:.1f} times the stated noise: the model does not fit the readings",
-                 std::sqrt(typical)),
-             "check placement, frames and harmonics, calibrate, or give the true --noise-uT");
-    }
-    return quality;
-}
-
 std::string summaryOf(const Orientation& work, const DataQuality& quality) {
     std::string text =
         fmt::format("orientation by '{}', {} rows\n",
                     models::EstimatorNames[static_cast<std::size_t>(work.kind)], work.poses.size());
     for (std::size_t i = 0; i < VerdictNames.size(); ++i) {
-        if (const std::size_t count = work.count(static_cast<OrientationVerdict>(i)); count > 0 || i == 0) {
+        if (const std::size_t count = work.count(static_cast<models::OrientationVerdict>(i));
+            count > 0 || i == 0) {
             text += fmt::format("  {:<22} {}\n", VerdictNames[i], count);
         }
     }

@@ -1,3 +1,4 @@
+#include "app/analyses/spherical/orientation_quality.h"
 #include "models/spherical/additive_model.h"
 #include "tests/app/analyses/recorded_poses.h"
 
@@ -41,7 +42,7 @@ const Finding* finding(const AnalysisOutcome& outcome, const char* code) {
 } // namespace
 
 // The closed form solves the additive model exactly: rounding alone is left, whatever the distance.
-TEST(OrientationTruthTest, additiveEstimatorsHoldAtAnyDistance) {
+TEST(OrientationQualityTest, additiveEstimatorsHoldAtAnyDistance) {
     for (const char* radius_mm : {"47", "50", "60", "85.5"}) {
         const devices::RecordedFile file = additivePoses(200, std::stod(radius_mm) / 1e3);
         for (const char* estimator : {"closed", "closed-fitted"}) {
@@ -55,7 +56,7 @@ TEST(OrientationTruthTest, additiveEstimatorsHoldAtAnyDistance) {
 }
 
 // The same estimators compared: 60 mm is as good as 50 mm, where nothing is noisy.
-TEST(OrientationTruthTest, comparedEstimatorsHoldAtAnyDistance) {
+TEST(OrientationQualityTest, comparedEstimatorsHoldAtAnyDistance) {
     for (const char* radius_mm : {"50", "60"}) {
         const auto result = run(
             "estimators",
@@ -67,7 +68,7 @@ TEST(OrientationTruthTest, comparedEstimatorsHoldAtAnyDistance) {
     }
 }
 
-TEST(OrientationTruthTest, anAdditiveEstimatorThatDoesNotFitIsNotGood) {
+TEST(OrientationQualityTest, anAdditiveEstimatorThatDoesNotFitIsNotGood) {
     const devices::RecordedFile exact = recordedPoses(200, 0.0);
     const auto crossed = run("orient", {{"estimator", "closed"}}, {}, &exact);
     ASSERT_TRUE(crossed);
@@ -80,7 +81,7 @@ TEST(OrientationTruthTest, anAdditiveEstimatorThatDoesNotFitIsNotGood) {
 }
 
 // Readings of the other sign are those of a rotor turned by 90 degrees about its shaft: no residual tells.
-TEST(OrientationTruthTest, readingsOfTheWrongSignAreRefusedWhereTheTruthIsKnown) {
+TEST(OrientationQualityTest, readingsOfTheWrongSignAreRefusedWhereTheTruthIsKnown) {
     const devices::RecordedFile healthy = recordedPoses(300, Noise_T);
     for (const char* estimator : {"refined", "tensor", "lm"}) {
         const devices::RecordedFile file = reversed(healthy);
@@ -99,7 +100,7 @@ TEST(OrientationTruthTest, readingsOfTheWrongSignAreRefusedWhereTheTruthIsKnown)
 
 // A uniform field as three more unknowns is told from the tensor by a singular value of 0.0535 only: errors
 // of sensors as assembled, some mT, become as large as the tensor itself (spherical-theory.md section 5).
-TEST(OrientationTruthTest, aStrayFieldFromSensorsThatWereNotCalibratedIsRefused) {
+TEST(OrientationQualityTest, aStrayFieldFromSensorsThatWereNotCalibratedIsRefused) {
     const devices::RecordedFile file = recordedSpecimens();
     for (const char* estimator : {"refined", "lm"}) {
         const auto result =
