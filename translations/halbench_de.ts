@@ -22814,6 +22814,10 @@ Hall B
         <source>Jerk</source>
         <translation>Ruck</translation>
     </message>
+    <message>
+        <source>File that the motion follows</source>
+        <translation>Datei, der die Bewegung folgt</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::PathRun</name>

@@ -22799,6 +22799,10 @@ Hall B
         <source>Jerk</source>
         <translation>加加速度</translation>
     </message>
+    <message>
+        <source>File that the motion follows</source>
+        <translation>运动所遵循的文件</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::PathRun</name>

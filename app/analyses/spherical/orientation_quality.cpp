@@ -50,7 +50,8 @@ void noteTruth(const Orientation& work, Note note) {
     if (wrong == 0) {
         return;
     }
-    const bool areMost = 2 * wrong > error.size();
+    // Estimators of the additive model are there to be compared; that they are wrong is what is looked at.
+    const bool areMost = work.isTensor() && 2 * wrong > error.size();
     const bool areReversed = std::abs(percentile(error, 0.5) - 0.5 * Pi) < BranchLimit_rad;
     note(areMost ? Verdict::Refused : Verdict::Doubtful, "disagrees_with_truth",
          fmt::format("{} of {} poses differ from the true ones by more than {:.0f} degrees", wrong,

@@ -142,6 +142,7 @@ void PathForm::buildFile() {
     m_file->setReadOnly(true);
     m_file->setPlaceholderText(tr("No file"));
     m_file->setAccessibleName(tr("Table of poses"));
+    m_file->setToolTip(tr("File that the motion follows"));
     auto* choose =
         makeButton({tr("Choose file…"), tr("CSV with columns like time_s, x_mm, phi_mrad"), {}}, m_fileRow);
     row->addWidget(m_file);

@@ -128,7 +128,7 @@ class PoseTables(ProgramCase):
         self.refuse(2, r"scan\.toml:\d+:\d+: poses\.csv:3: row 2: axis x moves at", "run", "scan.toml", "--out", "other")
         for key, pattern in (("repeat = 2\nalternate = true", r"does not alternate its direction"), ("repeat = 2\nsettled_deg = 1", r"'settled_deg' is no unit of axis x")):
             self.write("scan.toml", EXPERIMENT.replace('name = "scan"', 'name = "scan"\n' + key))
-            self.refuse(2, r"scan\.toml:1\d:\d+: .*" + pattern, "run", "scan.toml", "--out", "other")
+            self.refuse(2, r"scan\.toml:\d+:\d+: .*" + pattern, "run", "scan.toml", "--out", "other")
         self.write("scan.toml", EXPERIMENT.replace('"poses.csv"', '"out/poses.csv"'))
         self.write("out/poses.csv", TIMED)
         self.refuse(2, r"which this command reads", "run", "scan.toml", "--out", "out", "--force")

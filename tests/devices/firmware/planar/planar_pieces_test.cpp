@@ -79,7 +79,6 @@ TEST(PlanarPieces, followTravelsWithDwells) {
 hb_piece standing(float duration_s) {
     hb_piece piece{};
     piece.duration_s = duration_s;
-    piece.axis[0].value = 1.0F;
     return piece;
 }
 
