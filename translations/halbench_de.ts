@@ -22654,7 +22654,7 @@ Hall B
     <name>halbench::app::Tour</name>
     <message>
         <source>Five-minute &amp;tour</source>
-        <translation>Fünf-Minuten-&amp;Tour</translation>
+        <translation>Fünf-M&amp;inuten-Tour</translation>
     </message>
 </context>
 <context>

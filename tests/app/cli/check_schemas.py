@@ -90,10 +90,12 @@ class Schemas(unittest.TestCase):
         fields = [f"field.{sensor}.{axis}" for sensor in range(3) for axis in ("r", "theta", "phi")]
         signals = ",".join(fields + ["truth.alpha", "truth.beta", "truth.gamma"])
         self.accept(self.run_json("record", "sim:spherical?motion=5", "--duration", "2", "--signals", signals, "--out", "m.csv"))
-        for options in ([], ["--truth"], ["--estimator", "closed"], ["--range-mT", "130", "--truth"],
-                        ["--stray", "--tolerance", "none"]):
+        for options in ([], ["--truth"], ["--estimator", "closed"], ["--range-mT", "130", "--truth"]):
             self.accept(self.run_json("orient", "m.csv", *options))
         self.accept(self.run_json("orient", "m.csv", "--stray", code=1))  # not told from errors of such sensors
+        self.accept(self.run_json("record", "sim:spherical?motion=5&imperfections=off", "--duration", "1", "--signals", signals,
+                                  "--out", "exact.csv"))
+        self.accept(self.run_json("orient", "exact.csv", "--stray", "--tolerance", "none", "--noise-uT", "30"))
         self.accept(self.run_json("orient", "m.csv", "--range-mT", "1", code=1))
         self.accept(self.run_json("orient", "sim:spherical?motion=5", "--duration", "1", "--truth", "--record", "d.csv"))
         with open(os.path.join(self.folder.name, "spec.toml"), "w", encoding="utf-8") as file:
