@@ -139,7 +139,7 @@ private:
     bool m_isPending = false; ///< the board asked for more time
     std::shared_ptr<const LinkOrders> m_orders;
     bool m_isOpening = true;
-    bool m_hasSession = false; ///< CONNECT was answered
+    bool m_hasSession = false;       ///< CONNECT was answered
     std::uint64_t m_stopsObeyed = 0; ///< of the orders
     std::uint64_t m_stopsSent = 0;
     double m_stopSent_s = 0.0;
