@@ -259,6 +259,15 @@ Result<MoveConfig> moveConfigOf(const ExperimentStep& step) {
 
 namespace {
 
+/// Whose runs are compared: of several axes the first that moves.
+Result<devices::AxisSpec> judgedAxis(const devices::Catalogue& catalogue, const MoveConfig& config) {
+    if (!isTable(config.reference)) {
+        return chosenAxis(catalogue, isPath(config.reference) ? catalogue.axes.front().id : config.axis);
+    }
+    const auto axes = tableAxes(catalogue, config.reference);
+    return axes ? Result<devices::AxisSpec>(axes->front()) : failure(axes.error());
+}
+
 /// Before the first step moves anything.
 Result<void> checkRepeat(const devices::Catalogue& catalogue, const MoveConfig& config,
                          const ExperimentStep& step) {
@@ -312,7 +321,7 @@ Result<RepeatConfig> repeatConfigOf(const devices::Catalogue& catalogue, const E
         return failure(config.error());
     }
     const bool isOfPath = movesSeveralAxes(config->reference);
-    const auto axis = chosenAxis(catalogue, isOfPath ? catalogue.axes.front().id : config->axis);
+    const auto axis = judgedAxis(catalogue, *config);
     if (!axis) {
         return failure(axis.error());
     }
@@ -328,7 +337,10 @@ Result<RepeatConfig> repeatConfigOf(const devices::Catalogue& catalogue, const E
                                                           limit.key, axis->id, axis->positionUnit),
                                               "give the limit in a unit of the axis"});
         }
-        repeat.settled = value ? std::optional(*value * limit.perUnit) : repeat.settled;
+        if (value) {
+            repeat.settled = *value * limit.perUnit;
+            repeat.settledUnit = limit.unit;
+        }
     }
     return repeat;
 }

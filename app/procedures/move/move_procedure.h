@@ -20,6 +20,8 @@ struct MoveConfig {
     /// Distance from the end of the reference within which the axis counts as settled; without one there is
     /// no window time.
     std::optional<double> settlingWindow = {};
+    /// Of the window: axes in another unit have none. Empty: that of every axis that moves.
+    std::string settlingUnit = {};
     /// Overshoot needs fine samples. A board that cannot send so many sends one each position loop.
     double rate_Hz = 1000.0;
     double speedLimit_rad_s = 40.0; ///< of an axis that turns forever; others keep the board's window

@@ -228,9 +228,19 @@ struct AxisFigures {
     MoveResponse response; ///< that was measured
 };
 
-Result<AxisFigures> figuresOf(const Recording& recording, const MovedColumns& moved, const MoveConfig& config,
+/// A window in metres says nothing of an axis that turns.
+MoveConfig configOf(const MoveConfig& whole, const devices::AxisSpec& axis) {
+    MoveConfig config = whole;
+    if (!config.settlingUnit.empty() && config.settlingUnit != axis.positionUnit) {
+        config.settlingWindow.reset();
+    }
+    return config;
+}
+
+Result<AxisFigures> figuresOf(const Recording& recording, const MovedColumns& moved, const MoveConfig& whole,
                               double rowsPerReference) {
     const AxisColumns& columns = moved.columns;
+    const MoveConfig config = configOf(whole, moved.axis);
     const CountedColumn reference{columns.reference, moved.origin.reference};
     AxisFigures figures;
     figures.response =

@@ -90,6 +90,7 @@ Result<RepeatedMove> runRepeatedMove(devices::Device& device, const MoveConfig& 
     all.repetition.settlesAfterWay = isTravel(config.reference);
     MoveConfig forth = config;
     forth.settlingWindow = repeat.settled;
+    forth.settlingUnit = repeat.settledUnit;
     const MoveConfig back = reversed(forth);
     DataQuality quality;
     for (int run = 0; run < repeat.count; ++run) {

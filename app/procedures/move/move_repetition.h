@@ -14,7 +14,8 @@ struct RepeatConfig {
     /// Half of the window in the position unit of the axis: a run has settled when its error stays below
     /// this in the evaluated part; a travel, whose evaluated part is the way, when it stays there after it.
     std::optional<double> settled;
-    bool alternates = false; ///< every second run goes back
+    bool alternates = false;      ///< every second run goes back
+    std::string settledUnit = {}; ///< of `settled`
 };
 
 /// Statistics of the times in which the runs settled.

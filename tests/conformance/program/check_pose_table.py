@@ -117,6 +117,26 @@ class PoseTables(ProgramCase):
         with open(path, encoding="utf-8") as file:
             self.assertEqual(file.read(), TIMED)
 
+    def test_a_settling_window_is_of_its_own_quantity(self):
+        self.write("poses.csv", TIMED)
+        settling = []
+        for window in ("settled_um = 50", "settled_um = 49"):  # metres: nothing of phi may follow from them
+            self.write("scan.toml", EXPERIMENT.replace('name = "scan"', 'name = "scan"\nrepeat = 1\n' + window))
+            self.accept("run", "scan.toml", "--out", "out", "--force")
+            with open(self.path("out/result.json"), encoding="utf-8") as file:
+                axes = json.load(file)["steps"][0]["axes"]
+            settling.append([row["settling_time_s"] for row in axes[2]["figures"]["rows"]])
+        self.write("scan.toml", EXPERIMENT)
+        self.accept("run", "scan.toml", "--out", "out", "--force")
+        with open(self.path("out/result.json"), encoding="utf-8") as file:
+            axes = json.load(file)["steps"][0]["axes"]
+        # 2 % of the way, as without a window.
+        self.assertEqual(settling, 2 * [[row["settling_time_s"] for row in axes[2]["figures"]["rows"]]])
+        self.write("poses.csv", "time_s,phi_mrad\n1,0.5\n2,0.5\n3,0\n")
+        self.write("scan.toml", EXPERIMENT.replace('name = "scan"', 'name = "scan"\nrepeat = 1\nsettled_urad = 50')
+                   .replace("rms_error_m", "rms_error_rad"))
+        self.accept("run", "scan.toml", "--out", "out", "--force")
+
     def test_an_experiment_takes_it_too(self):
         self.write("poses.csv", TIMED)
         self.write("scan.toml", EXPERIMENT)

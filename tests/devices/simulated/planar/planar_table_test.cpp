@@ -34,6 +34,50 @@ public:
     }
 };
 
+/// The board's clock goes on between two commands, as that of a real one does.
+class TickingLine : public LoopbackTransport {
+public:
+    explicit TickingLine(std::shared_ptr<SimulatedBoard> board)
+        : LoopbackTransport(board, false), m_ticking(std::move(board)) {}
+    Result<void> send(std::span<const std::uint8_t> packet) override {
+        m_ticking->tick();
+        m_ticking->tick();
+        return LoopbackTransport::send(packet);
+    }
+
+private:
+    std::shared_ptr<SimulatedBoard> m_ticking;
+};
+
+// The board takes the order before the master reads back what it wrote.
+TEST(PlanarTable, startOfAPathIsNoErrorWhereTheBoardTakesItAtOnce) {
+    auto made = makeSimulatedBoard(*parseDeviceUri("sim:planar?chain=ideal"), {});
+    ASSERT_TRUE(made);
+    const std::shared_ptr<SimulatedBoard> board = std::move(*made);
+    auto device = openXcpDevice(std::make_unique<TickingLine>(board), {});
+    ASSERT_TRUE(device) << device.error().message;
+    const auto write = [&device](const std::vector<ParameterValue>& values) {
+        const auto written = (*device)->writeParameters(values);
+        EXPECT_TRUE(written) << values.front().name << ": " << written.error().message;
+    };
+    write({{"hb.mode", static_cast<double>(HB_PLANAR_POSITION)}});
+    ASSERT_TRUE((*device)->arm());
+    ASSERT_TRUE((*device)->clock().waitFor(0.5));
+    write({{"table.x.value", 0.0}, {"table.x.speed", -1e-3}, {"table.duration", 2.0}, {"table.number", 1.0}});
+    for (const double shape : {Table, 1.0}) { // a circle likewise
+        write({{"table.count", 1.0},
+               {"path.radius", 1e-3},
+               {"path.speed", 1e-3},
+               {"path.acceleration", 0.1},
+               {"path.shape", shape},
+               {"reference.start", 1.0}});
+        const auto running = (*device)->readSignals(std::vector<std::string>{"reference.running"});
+        ASSERT_TRUE(running);
+        EXPECT_EQ(running->front(), 1.0) << shape;
+        write({{"reference.start", 0.0}});
+    }
+}
+
 TEST(PlanarTable, isFollowedAndHeldAtItsEnd) {
     Tabled planar;
     const double start_m = planar.signal("reference.x");
