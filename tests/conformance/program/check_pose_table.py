@@ -120,7 +120,7 @@ class PoseTables(ProgramCase):
     def test_a_settling_window_is_of_its_own_quantity(self):
         self.write("poses.csv", TIMED)
         settling = []
-        for window in ("settled_um = 50", "settled_um = 49"):  # metres: nothing of phi may follow from them
+        for window in ("settled_um = 50", "settled_m = 1e-9"):  # as radians the second would never be kept
             self.write("scan.toml", EXPERIMENT.replace('name = "scan"', 'name = "scan"\nrepeat = 1\n' + window))
             self.accept("run", "scan.toml", "--out", "out", "--force")
             with open(self.path("out/result.json"), encoding="utf-8") as file:
