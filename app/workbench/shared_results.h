@@ -11,7 +11,7 @@ namespace halbench::app {
 /// Source of a result: a run of this window, a file or the project.
 enum class ResultOrigin { Measured, File, Project };
 
-/// What is said beside a result: device, firmware, time, software version; and where it came from.
+/// Header of a result (device, firmware, time, software version) and where it came from.
 struct Provenance {
     ResultHeader header;
     ResultOrigin origin = ResultOrigin::Measured;

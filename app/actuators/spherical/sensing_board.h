@@ -21,7 +21,7 @@ struct SensingBoard {
 /// The parameters of the board that make up its calibration.
 std::vector<std::string> sensingParameters();
 
-/// Of the sensors from the centre.
+/// Mean distance of the sensors from the centre.
 double meanRadius_m(const SensingBoard& board);
 
 /// Errors: of the device.

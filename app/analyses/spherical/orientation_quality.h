@@ -68,8 +68,8 @@ std::vector<double> ofPoses(const Orientation& work, Value value) {
 /// Missing without values.
 double percentile(std::vector<double> values, double ratio);
 
-/// What is doubtful about the orientations: poses without one, channels left out, residuals and cones that
-/// are too large, and what the known truth contradicts.
+/// Verdict and findings about the orientations: poses without one, channels left out, residuals and cones
+/// that are too large, and what the known truth contradicts.
 DataQuality qualityOf(const Orientation& work);
 
 } // namespace halbench::app

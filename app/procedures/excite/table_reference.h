@@ -36,7 +36,7 @@ Result<void> attachTable(MoveReference& reference, PoseTable table);
 Result<std::vector<devices::AxisSpec>> tableAxes(const devices::Catalogue& catalogue,
                                                  const MoveReference& reference);
 
-/// What one axis of a device allows; the names are those of its parameters.
+/// Limits of one axis of a device; the names are those of its parameters.
 struct TableAxisLimits {
     std::string axis;
     double window = 0.0; ///< to either side

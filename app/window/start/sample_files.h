@@ -7,7 +7,7 @@
 
 namespace halbench::app {
 
-/// Where sample recordings are opened from: copies, so that nothing changes the ones of the program.
+/// Copies of the sample recordings, which are opened so that nothing changes the ones of the program.
 QString sampleFolder();
 
 /// One file of a sample recording, "motor-step.csv" or "motor-step.meta.json". Errors: FileSystem.

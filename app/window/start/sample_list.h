@@ -8,7 +8,7 @@ namespace halbench::app {
 
 class StartList;
 
-/// What a newcomer begins with: the recordings that come with the program, and the tour of the window.
+/// Sample recordings that come with the program, and the tour of the window: a newcomer begins with them.
 class SampleList : public QWidget {
     Q_OBJECT
 
