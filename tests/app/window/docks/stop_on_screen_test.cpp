@@ -53,9 +53,11 @@ TEST_F(StopOnScreenTest, stopIsSeenInEveryPerspectiveOnSmallScreensInEveryLangua
         Preferences preferences;
         preferences.language = language;
         openDressed(preferences);
-        for (const QSize screen : {QSize(960, 540), QSize(1024, 768), QSize(1280, 720), QSize(1366, 768)}) {
-            for (const Perspective perspective : AllPerspectives) {
-                window->docks().setPerspective(perspective);
+        resize(QSize(1366, 768) - Frame);
+        for (const Perspective perspective : AllPerspectives) {
+            window->docks().setPerspective(perspective);
+            for (const QSize screen :
+                 {QSize(960, 540), QSize(1024, 768), QSize(1280, 720), QSize(1366, 768)}) {
                 resize(screen - Frame);
                 SCOPED_TRACE(language + std::string(" ") + std::to_string(screen.width()) + " " +
                              perspectiveId(perspective).toStdString());
