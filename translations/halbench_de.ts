@@ -255,10 +255,6 @@
         <translation>dieses Gerät misst und treibt nicht an: es gibt nichts zu identifizieren</translation>
     </message>
     <message>
-        <source>{}alpha {}, beta {}, gamma {} deg</source>
-        <translation>{}alpha {}, beta {}, gamma {} Grad</translation>
-    </message>
-    <message>
         <source>comes to rest</source>
         <translation>kommt zur Ruhe</translation>
     </message>
@@ -3677,10 +3673,6 @@
     <message>
         <source>Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address.</source>
         <translation>Bewegen Sie den Rotor auch dorthin. Ein simulierter Rotor bewegt sich mit motion=5 oder motion=6 in seiner Adresse.</translation>
-    </message>
-    <message>
-        <source>orientations that are missing most: {}</source>
-        <translation>am meisten fehlende Orientierungen: {}</translation>
     </message>
     <message>
         <source>Switch the coil off, or change its current in the record.</source>
@@ -10554,6 +10546,34 @@
         <source>{}: row {}: axis {} would come to {} {}, its travel ends at {} {}</source>
         <translation>{}: Zeile {}: Achse {} käme auf {} {}, ihr Weg endet bei {} {}</translation>
     </message>
+    <message>
+        <source>alpha {}, beta {}, gamma {} deg</source>
+        <translation>alpha {}, beta {}, gamma {} Grad</translation>
+    </message>
+    <message>
+        <source>gamma about Z first, then beta about Y, then alpha about X</source>
+        <translation>erst gamma um Z, dann beta um Y, dann alpha um X</translation>
+    </message>
+    <message>
+        <source>alpha about X first, then beta about Y, then gamma about Z</source>
+        <translation>erst alpha um X, dann beta um Y, dann gamma um Z</translation>
+    </message>
+    <message>
+        <source>alpha about X first, then beta about Y, then gamma about Z, without the roll about the radius</source>
+        <translation>erst alpha um X, dann beta um Y, dann gamma um Z, ohne die Drehung um den Radius</translation>
+    </message>
+    <message>
+        <source>orientations that are missing most: {} ({})</source>
+        <translation>am meisten fehlende Orientierungen: {} ({})</translation>
+    </message>
+    <message>
+        <source>the placement angles of a sensor turn it in this order: {}</source>
+        <translation>die Anordnungswinkel eines Sensors drehen ihn in dieser Reihenfolge: {}</translation>
+    </message>
+    <message>
+        <source>Its values turn_x, turn_y and turn_z are one rotation vector along the stator&apos;s axes.</source>
+        <translation>Seine Werte turn_x, turn_y und turn_z sind ein Drehvektor längs der Achsen des Stators.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10931,10 +10951,6 @@
         <translation>Winkelfehler, Effektivwert: %1 mit den Werten von vorher in dieser Aufzeichnung, %2 mit den vorgeschlagenen erwartet.</translation>
     </message>
     <message>
-        <source>Still needed most: %1</source>
-        <translation>Fehlt noch am meisten: %1</translation>
-    </message>
-    <message>
         <source>Move the rotor: tilt it and spin it.</source>
         <translation>Bewegen Sie den Rotor: Kippen und drehen Sie ihn.</translation>
     </message>
@@ -11023,6 +11039,10 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
     <message>
         <source>What is the difference?</source>
         <translation>Worin liegt der Unterschied?</translation>
+    </message>
+    <message>
+        <source>Still needed most: %1 (%2)</source>
+        <translation>Fehlt noch am meisten: %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -22032,10 +22052,6 @@ Hall B
 <context>
     <name>halbench::app::EstimatorPanel</name>
     <message>
-        <source>Sensors at %1, %2 mm from the centre; q %3 mT</source>
-        <translation>Sensoren bei %1, %2 mm vom Mittelpunkt; q %3 mT</translation>
-    </message>
-    <message>
         <source>Tensor</source>
         <translation>Tensor</translation>
     </message>
@@ -22235,6 +22251,10 @@ Hall B
         <source>Compares orientation estimators on the same poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
         <translation>Vergleicht Schätzer der Orientierung an denselben Lagen. Ein Gerät verbinden, das das Feld eines Rotors im Raum misst, oder eine Aufzeichnung davon abspielen.</translation>
     </message>
+    <message>
+        <source>Sensors at %1 (%4), %2 mm from the centre; q %3 mT</source>
+        <translation>Sensoren bei %1 (%4), %2 mm vom Mittelpunkt; q %3 mT</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CoveragePanel</name>
@@ -22386,6 +22406,10 @@ Hall B
         <source>Try the placement that is proven to cover all (Alt+R)</source>
         <translation>Nachweislich lückenlose Anordnung probieren (Alt+E)</translation>
     </message>
+    <message>
+        <source>Poses are (α, β, γ): %1.</source>
+        <translation>Lagen sind (α, β, γ): %1.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::CoverageView</name>
@@ -22415,6 +22439,10 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>Drehung von der X-Achse zum Ort des Sensors</translation>
+    </message>
+    <message>
+        <source>Order of the rotations</source>
+        <translation>Reihenfolge der Drehungen</translation>
     </message>
 </context>
 <context>

@@ -255,10 +255,6 @@
         <translation>该设备只测量、不驱动：没有可辨识的量</translation>
     </message>
     <message>
-        <source>{}alpha {}, beta {}, gamma {} deg</source>
-        <translation>{}alpha {}、beta {}、gamma {} 度</translation>
-    </message>
-    <message>
         <source>comes to rest</source>
         <translation>静止下来</translation>
     </message>
@@ -3677,10 +3673,6 @@
     <message>
         <source>Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address.</source>
         <translation>请把转子也转到这些姿态。模拟转子在地址中加 motion=5 或 motion=6 即可运动。</translation>
-    </message>
-    <message>
-        <source>orientations that are missing most: {}</source>
-        <translation>最缺的姿态：{}</translation>
     </message>
     <message>
         <source>Switch the coil off, or change its current in the record.</source>
@@ -10554,6 +10546,34 @@
         <source>{}: row {}: axis {} would come to {} {}, its travel ends at {} {}</source>
         <translation>{}：第 {} 行：轴 {} 将到达 {} {}，其行程止于 {} {}</translation>
     </message>
+    <message>
+        <source>alpha {}, beta {}, gamma {} deg</source>
+        <translation>alpha {}、beta {}、gamma {} 度</translation>
+    </message>
+    <message>
+        <source>gamma about Z first, then beta about Y, then alpha about X</source>
+        <translation>先绕 Z 转 gamma，再绕 Y 转 beta，最后绕 X 转 alpha</translation>
+    </message>
+    <message>
+        <source>alpha about X first, then beta about Y, then gamma about Z</source>
+        <translation>先绕 X 转 alpha，再绕 Y 转 beta，最后绕 Z 转 gamma</translation>
+    </message>
+    <message>
+        <source>alpha about X first, then beta about Y, then gamma about Z, without the roll about the radius</source>
+        <translation>先绕 X 转 alpha，再绕 Y 转 beta，最后绕 Z 转 gamma，不含绕半径的滚转</translation>
+    </message>
+    <message>
+        <source>orientations that are missing most: {} ({})</source>
+        <translation>最缺的姿态：{}（{}）</translation>
+    </message>
+    <message>
+        <source>the placement angles of a sensor turn it in this order: {}</source>
+        <translation>传感器的布置角按此顺序转动传感器：{}</translation>
+    </message>
+    <message>
+        <source>Its values turn_x, turn_y and turn_z are one rotation vector along the stator&apos;s axes.</source>
+        <translation>其 turn_x、turn_y、turn_z 是沿定子轴的一个旋转矢量。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10931,10 +10951,6 @@
         <translation>角度误差均方根：本次记录中原有值为 %1，预计采用建议值后为 %2。</translation>
     </message>
     <message>
-        <source>Still needed most: %1</source>
-        <translation>最缺的姿态：%1</translation>
-    </message>
-    <message>
         <source>Move the rotor: tilt it and spin it.</source>
         <translation>请转动转子：倾斜并自转。</translation>
     </message>
@@ -11023,6 +11039,10 @@ Nothing is armed, and nothing is changed until you apply it.</source>
     <message>
         <source>What is the difference?</source>
         <translation>有何区别？</translation>
+    </message>
+    <message>
+        <source>Still needed most: %1 (%2)</source>
+        <translation>最缺的姿态：%1（%2）</translation>
     </message>
 </context>
 <context>
@@ -22017,10 +22037,6 @@ Hall B
 <context>
     <name>halbench::app::EstimatorPanel</name>
     <message>
-        <source>Sensors at %1, %2 mm from the centre; q %3 mT</source>
-        <translation>传感器位于 %1，距中心 %2 mm；q %3 mT</translation>
-    </message>
-    <message>
         <source>Tensor</source>
         <translation>张量</translation>
     </message>
@@ -22220,6 +22236,10 @@ Hall B
         <source>Compares orientation estimators on the same poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
         <translation>在相同位姿上比较姿态估计器。请连接测量空间转子磁场的设备，或播放其记录。</translation>
     </message>
+    <message>
+        <source>Sensors at %1 (%4), %2 mm from the centre; q %3 mT</source>
+        <translation>传感器位于 %1（%4），距中心 %2 mm；q %3 mT</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::CoveragePanel</name>
@@ -22371,6 +22391,10 @@ Hall B
         <source>Try the placement that is proven to cover all (Alt+R)</source>
         <translation>试用经证明完全覆盖的布置 (Alt+R)</translation>
     </message>
+    <message>
+        <source>Poses are (α, β, γ): %1.</source>
+        <translation>位姿为 (α, β, γ)：%1。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::CoverageView</name>
@@ -22400,6 +22424,10 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>从 X 轴到传感器位置的旋转</translation>
+    </message>
+    <message>
+        <source>Order of the rotations</source>
+        <translation>旋转顺序</translation>
     </message>
 </context>
 <context>
