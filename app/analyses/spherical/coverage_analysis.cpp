@@ -157,6 +157,7 @@ std::string summaryOf(const Coverage& work) {
         fmt::format("coverage of the workspace at {} mT\n", formatNumber(1e3 * work.threshold_T));
     text += fmt::format("  {} of {} poses uncovered ({:.4f} %)\n", work.count.uncovered, work.count.poses,
                         100.0 * work.count.uncovered_ratio());
+    text += placementText(work.choice.device, work.choice.placement);
     text += proofText(work.proof, work.threshold_T);
     if (work.figures.conditioning > 0.0) {
         text += fmt::format("  conditioning {:.3f}, predicted angle error {:.4f} deg rms at {} uT\n",

@@ -117,7 +117,7 @@ std::string summaryOf(const models::PlacementSearchConfig& config, const models:
     for (std::size_t i = 0; i < std::min(ShownRows, search.pareto.size()); ++i) {
         text += rowText(search.pareto[i]);
     }
-    return text;
+    return text + placementOrderText(config.device);
 }
 
 Result<AnalysisOutcome> runPlacement(const AnalysisValues& values, const devices::RecordedFile*,

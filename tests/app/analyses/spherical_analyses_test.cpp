@@ -1,6 +1,7 @@
 #include "app/analyses/registry/analyses.h"
 #include "app/analyses/spherical/estimator_comparison.h"
 #include "app/analyses/spherical/orientation_readings.h"
+#include "app/analyses/spherical/proof_json.h"
 #include "control/base/units.h"
 #include "models/spherical/orientation.h"
 #include "models/spherical/rotor_field.h"
@@ -289,6 +290,28 @@ TEST(CoverageAnalysisTest, findsTheCounterexampleOfThePublishedPlacement) {
     EXPECT_NEAR(std::remainder(gamma_deg - expected_deg, 90.0), 0.0, 1e-6);
     EXPECT_NEAR(number(theta, {"least_at", "alpha_deg"}), 0.0, 1e-6);
     EXPECT_NEAR(number(theta, {"least_at", "beta_deg"}), 0.0, 1e-6);
+}
+
+// spherical-theory.md section 2: the order stands beside the angles of poses and of sensors.
+TEST(CoverageAnalysisTest, orderOfRotationsStandsBesideTheAngles) {
+    const auto coverage = run("coverage", {{"step_deg", "45"}, {"map_step_deg", "45"}, {"frames", "xyz"}});
+    ASSERT_TRUE(coverage) << coverage.error().message;
+    const char* poses = "poses are (alpha, beta, gamma): gamma about Z first, then beta about Y, then alpha";
+    EXPECT_THAT(coverage->summary, testing::HasSubstr(poses));
+    EXPECT_THAT(coverage->summary, testing::HasSubstr("sensors at (0, 0, 0), (0, 0, 45), (45, 45, -90) deg"));
+    EXPECT_THAT(coverage->summary, testing::HasSubstr("(xyz) by (alpha, beta, gamma): gamma about Z first"));
+    EXPECT_THAT(coverage->summary, testing::HasSubstr("the largest 0.00 mT")); // as "at least 10.48 mT"
+    const auto place = run("place", {{"step_deg", "45"}});
+    ASSERT_TRUE(place);
+    EXPECT_THAT(place->summary, testing::HasSubstr(poses));
+    EXPECT_THAT(place->summary, testing::HasSubstr("(zyx) by (alpha, beta, gamma): alpha about X first"));
+}
+
+TEST(CoverageAnalysisTest, readingsHaveTheDecimalsThatTellThemFromTheLimit) {
+    EXPECT_EQ(decimalsBelow(0.0, 0.01), 2);
+    EXPECT_EQ(decimalsBelow(9.98e-3, 0.01), 2);
+    EXPECT_EQ(decimalsBelow(9.997e-3, 0.01), 3); // 10.00 with two
+    EXPECT_EQ(decimalsBelow(0.01, 0.01), 6);     // not below it
 }
 
 // Section 6: 0.0306 % of the 0.5-degree grid are 3568 poses; the 1-degree grid has an eighth of them, to the
