@@ -99,6 +99,10 @@
         <source>Coverage</source>
         <translation>Abdeckung</translation>
     </message>
+    <message>
+        <source>Angle error</source>
+        <translation>Winkelfehler</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -10573,6 +10577,14 @@
     <message>
         <source>Its values turn_x, turn_y and turn_z are one rotation vector along the stator&apos;s axes.</source>
         <translation>Seine Werte turn_x, turn_y und turn_z sind ein Drehvektor längs der Achsen des Stators.</translation>
+    </message>
+    <message>
+        <source>No row with all nine readings has come yet.</source>
+        <translation>Noch ist keine Zeile mit allen neun Messwerten gekommen.</translation>
+    </message>
+    <message>
+        <source>Wait a second, then compare again.</source>
+        <translation>Eine Sekunde warten, dann erneut vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -22216,10 +22228,6 @@ Hall B
         <translation>Anzahl der Lagen</translation>
     </message>
     <message>
-        <source>Random poses in the workspace, or rows chosen evenly of a recording</source>
-        <translation>Zufällige Lagen im Arbeitsbereich oder gleichmäßig gewählte Zeilen einer Aufzeichnung</translation>
-    </message>
-    <message>
         <source>Spin γ</source>
         <translation>Drehung γ</translation>
     </message>
@@ -22244,16 +22252,24 @@ Hall B
         <translation>Fehler gelten gegen die nächste der vier Orientierungen mit gleichem Feld.</translation>
     </message>
     <message>
-        <source>The recording has no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
-        <translation>Die Aufzeichnung hat keine wahren Winkel (truth.alpha, truth.beta, truth.gamma): Fehler sind Abweichungen vom Projektor mit Gauß-Newton-Schritt.</translation>
-    </message>
-    <message>
         <source>Compares orientation estimators on the same poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
         <translation>Vergleicht Schätzer der Orientierung an denselben Lagen. Ein Gerät verbinden, das das Feld eines Rotors im Raum misst, oder eine Aufzeichnung davon abspielen.</translation>
     </message>
     <message>
         <source>Sensors at %1 (%4), %2 mm from the centre; q %3 mT</source>
         <translation>Sensoren bei %1 (%4), %2 mm vom Mittelpunkt; q %3 mT</translation>
+    </message>
+    <message>
+        <source>Rows of the last 10 seconds</source>
+        <translation>Zeilen der letzten 10 Sekunden</translation>
+    </message>
+    <message>
+        <source>Random poses in the workspace, or rows, chosen evenly</source>
+        <translation>Zufällige Lagen im Arbeitsbereich oder gleichmäßig gewählte Zeilen</translation>
+    </message>
+    <message>
+        <source>The rows have no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
+        <translation>Die Zeilen haben keine wahren Winkel (truth.alpha, truth.beta, truth.gamma): Fehler sind Abweichungen vom Projektor mit Gauß-Newton-Schritt.</translation>
     </message>
 </context>
 <context>
@@ -22864,6 +22880,57 @@ Hall B
     <message>
         <source>Above the limit: the device may stop.</source>
         <translation>Über dem Grenzwert: Das Gerät kann stoppen.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AngleErrorPanel</name>
+    <message>
+        <source>Time span</source>
+        <translation>Zeitspanne</translation>
+    </message>
+    <message>
+        <source>Length of the data shown, up to now</source>
+        <translation>Länge der gezeigten Daten, bis jetzt</translation>
+    </message>
+    <message>
+        <source>Summary of the angle error</source>
+        <translation>Zusammenfassung des Winkelfehlers</translation>
+    </message>
+    <message>
+        <source>Shows the angle between the estimated and the true orientation of a simulated rotor. Connect a simulated device that measures its field, or play a recording with truth.alpha, truth.beta and truth.gamma.</source>
+        <translation>Zeigt den Winkel zwischen geschätzter und wahrer Orientierung eines simulierten Rotors. Verbinden Sie ein simuliertes Gerät, das sein Feld misst, oder spielen Sie eine Aufzeichnung mit truth.alpha, truth.beta und truth.gamma ab.</translation>
+    </message>
+    <message>
+        <source>Angle between the estimated and the true orientation</source>
+        <translation>Winkel zwischen geschätzter und wahrer Orientierung</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>angle error</source>
+        <translation>Winkelfehler</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
+        <source>shaft</source>
+        <translation>Welle</translation>
+    </message>
+    <message>
+        <source>95 % cone of the shaft</source>
+        <translation>95-%-Kegel der Welle</translation>
+    </message>
+    <message>
+        <source>%1 rows: %2° rms, %3° at most, to the nearest of the four orientations with the same field.</source>
+        <translation>%1 Zeilen: %2° Effektivwert, höchstens %3°, zur nächsten der vier Orientierungen mit demselben Feld.</translation>
+    </message>
+    <message>
+        <source>Arrow keys read values; Ctrl+C copies, Ctrl+E saves</source>
+        <translation>Pfeiltasten lesen Werte; Strg+C kopiert, Strg+E speichert</translation>
     </message>
 </context>
 </TS>

@@ -99,6 +99,10 @@
         <source>Coverage</source>
         <translation>覆盖</translation>
     </message>
+    <message>
+        <source>Angle error</source>
+        <translation>角度误差</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -10573,6 +10577,14 @@
     <message>
         <source>Its values turn_x, turn_y and turn_z are one rotation vector along the stator&apos;s axes.</source>
         <translation>其 turn_x、turn_y、turn_z 是沿定子轴的一个旋转矢量。</translation>
+    </message>
+    <message>
+        <source>No row with all nine readings has come yet.</source>
+        <translation>尚未收到含全部九个读数的行。</translation>
+    </message>
+    <message>
+        <source>Wait a second, then compare again.</source>
+        <translation>请等待一秒，然后再次比较。</translation>
     </message>
 </context>
 <context>
@@ -22201,10 +22213,6 @@ Hall B
         <translation>位姿数</translation>
     </message>
     <message>
-        <source>Random poses in the workspace, or rows chosen evenly of a recording</source>
-        <translation>工作空间内的随机位姿，或从记录中均匀选取的行</translation>
-    </message>
-    <message>
         <source>Spin γ</source>
         <translation>自转 γ</translation>
     </message>
@@ -22229,16 +22237,24 @@ Hall B
         <translation>误差按四个同场姿态中最近的一个计算。</translation>
     </message>
     <message>
-        <source>The recording has no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
-        <translation>记录中没有真实角度（truth.alpha、truth.beta、truth.gamma）：误差为与投影 + 高斯-牛顿一步的差。</translation>
-    </message>
-    <message>
         <source>Compares orientation estimators on the same poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
         <translation>在相同位姿上比较姿态估计器。请连接测量空间转子磁场的设备，或播放其记录。</translation>
     </message>
     <message>
         <source>Sensors at %1 (%4), %2 mm from the centre; q %3 mT</source>
         <translation>传感器位于 %1（%4），距中心 %2 mm；q %3 mT</translation>
+    </message>
+    <message>
+        <source>Rows of the last 10 seconds</source>
+        <translation>最近 10 秒的行</translation>
+    </message>
+    <message>
+        <source>Random poses in the workspace, or rows, chosen evenly</source>
+        <translation>工作空间内的随机位姿，或均匀选取的行</translation>
+    </message>
+    <message>
+        <source>The rows have no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
+        <translation>这些行没有真实角度（truth.alpha、truth.beta、truth.gamma）：误差为与投影 + 高斯-牛顿一步的差。</translation>
     </message>
 </context>
 <context>
@@ -22849,6 +22865,57 @@ Hall B
     <message>
         <source>Above the limit: the device may stop.</source>
         <translation>超出限值：设备可能会停止。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AngleErrorPanel</name>
+    <message>
+        <source>Time span</source>
+        <translation>时间跨度</translation>
+    </message>
+    <message>
+        <source>Length of the data shown, up to now</source>
+        <translation>所示数据的长度，截至现在</translation>
+    </message>
+    <message>
+        <source>Summary of the angle error</source>
+        <translation>角度误差摘要</translation>
+    </message>
+    <message>
+        <source>Shows the angle between the estimated and the true orientation of a simulated rotor. Connect a simulated device that measures its field, or play a recording with truth.alpha, truth.beta and truth.gamma.</source>
+        <translation>显示仿真转子估计姿态与真实姿态之间的角度。请连接测量其磁场的仿真设备，或播放带有 truth.alpha、truth.beta 和 truth.gamma 的记录。</translation>
+    </message>
+    <message>
+        <source>Angle between the estimated and the true orientation</source>
+        <translation>估计姿态与真实姿态之间的角度</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>angle error</source>
+        <translation>角度误差</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>shaft</source>
+        <translation>转轴</translation>
+    </message>
+    <message>
+        <source>95 % cone of the shaft</source>
+        <translation>转轴的 95 % 锥</translation>
+    </message>
+    <message>
+        <source>%1 rows: %2° rms, %3° at most, to the nearest of the four orientations with the same field.</source>
+        <translation>%1 行：有效值 %2°，最大 %3°，相对于同场的四个姿态中最近的一个。</translation>
+    </message>
+    <message>
+        <source>Arrow keys read values; Ctrl+C copies, Ctrl+E saves</source>
+        <translation>方向键读取数值；Ctrl+C 复制，Ctrl+E 保存</translation>
     </message>
 </context>
 </TS>

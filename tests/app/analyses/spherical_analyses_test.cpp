@@ -307,6 +307,27 @@ TEST(CoverageAnalysisTest, orderOfRotationsStandsBesideTheAngles) {
     EXPECT_THAT(place->summary, testing::HasSubstr("(zyx) by (alpha, beta, gamma): alpha about X first"));
 }
 
+// Section 6: at zero tilt no sensor reads Theta at a spin of -72.37 or 17.63 degrees; R and Phi are covered.
+TEST(CoverageAnalysisTest, pictureHasTheHolesOfTheSpin) {
+    const auto result = run("coverage", {{"step_deg", "45"}, {"map_step_deg", "9"}});
+    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_EQ(result->plots.size(), 1U);
+    const std::vector<AnalysisPanel>& panels = result->plots[0].panels;
+    ASSERT_EQ(panels.size(), 3U);
+    EXPECT_EQ(panels[1].limit, 10.0);
+    for (std::size_t component = 0; component < panels.size(); ++component) {
+        const AnalysisCurve& curve = panels[component].curves.front();
+        ASSERT_EQ(curve.x.size(), 180U);
+        const auto least = std::min_element(curve.y.begin(), curve.y.end());
+        EXPECT_EQ(*least < 10.0, component == 1) << component;
+        if (component == 1) {
+            const double at_deg = curve.x[static_cast<std::size_t>(least - curve.y.begin())];
+            EXPECT_NEAR(std::remainder(at_deg - 17.63, 90.0), 0.0, 1.0); // the next degree
+        }
+    }
+    EXPECT_EQ(panels[1].curves.back().name, "counterexample");
+}
+
 TEST(CoverageAnalysisTest, readingsHaveTheDecimalsThatTellThemFromTheLimit) {
     EXPECT_EQ(decimalsBelow(0.0, 0.01), 2);
     EXPECT_EQ(decimalsBelow(9.98e-3, 0.01), 2);
@@ -343,6 +364,9 @@ TEST(PlacementAnalysisTest, winnerIsProvenAndOfThePareto) {
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_LE(number(result->body, {"conditioning"}), 2.158); // of the published one, section 5.1
     EXPECT_FALSE(result->body.find("pareto")->items().empty());
+    ASSERT_EQ(result->plots.size(), 1U);
+    EXPECT_EQ(result->plots[0].panels[0].curves[1].y, // the winner
+              std::vector<double>{number(result->body, {"conditioning"})});
     EXPECT_GT(progress, 0.5);
 }
 
