@@ -3,7 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
-#include "app/experiments/analysis_figure.h"
+#include "app/figures/analysis_figure.h"
 #include "app/figures/picture_file.h"
 #include "app/figures/recording_picture.h"
 #include "app/headless/analysis_control.h"

@@ -3,7 +3,7 @@
 #include "app/actuators/htm/known_motor.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
-#include "app/experiments/analysis_figure.h"
+#include "app/figures/analysis_figure.h"
 #include "app/figures/disturbance_figure.h"
 #include "app/headless/exit_code.h"
 #include "app/procedures/tune/disturbance.h"

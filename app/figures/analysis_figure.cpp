@@ -1,4 +1,4 @@
-#include "app/experiments/analysis_figure.h"
+#include "app/figures/analysis_figure.h"
 
 #include "control/base/assert.h"
 
