@@ -99,6 +99,10 @@
         <source>Coverage</source>
         <translation>Abdeckung</translation>
     </message>
+    <message>
+        <source>Angle error</source>
+        <translation>Winkelfehler</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -253,10 +257,6 @@
     <message>
         <source>this device senses and does not drive: there is nothing to identify</source>
         <translation>dieses Gerät misst und treibt nicht an: es gibt nichts zu identifizieren</translation>
-    </message>
-    <message>
-        <source>{}alpha {}, beta {}, gamma {} deg</source>
-        <translation>{}alpha {}, beta {}, gamma {} Grad</translation>
     </message>
     <message>
         <source>comes to rest</source>
@@ -3677,10 +3677,6 @@
     <message>
         <source>Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address.</source>
         <translation>Bewegen Sie den Rotor auch dorthin. Ein simulierter Rotor bewegt sich mit motion=5 oder motion=6 in seiner Adresse.</translation>
-    </message>
-    <message>
-        <source>orientations that are missing most: {}</source>
-        <translation>am meisten fehlende Orientierungen: {}</translation>
     </message>
     <message>
         <source>Switch the coil off, or change its current in the record.</source>
@@ -10554,6 +10550,42 @@
         <source>{}: row {}: axis {} would come to {} {}, its travel ends at {} {}</source>
         <translation>{}: Zeile {}: Achse {} käme auf {} {}, ihr Weg endet bei {} {}</translation>
     </message>
+    <message>
+        <source>alpha {}, beta {}, gamma {} deg</source>
+        <translation>alpha {}, beta {}, gamma {} Grad</translation>
+    </message>
+    <message>
+        <source>gamma about Z first, then beta about Y, then alpha about X</source>
+        <translation>erst gamma um Z, dann beta um Y, dann alpha um X</translation>
+    </message>
+    <message>
+        <source>alpha about X first, then beta about Y, then gamma about Z</source>
+        <translation>erst alpha um X, dann beta um Y, dann gamma um Z</translation>
+    </message>
+    <message>
+        <source>alpha about X first, then beta about Y, then gamma about Z, without the roll about the radius</source>
+        <translation>erst alpha um X, dann beta um Y, dann gamma um Z, ohne die Drehung um den Radius</translation>
+    </message>
+    <message>
+        <source>orientations that are missing most: {} ({})</source>
+        <translation>am meisten fehlende Orientierungen: {} ({})</translation>
+    </message>
+    <message>
+        <source>the placement angles of a sensor turn it in this order: {}</source>
+        <translation>die Anordnungswinkel eines Sensors drehen ihn in dieser Reihenfolge: {}</translation>
+    </message>
+    <message>
+        <source>Its values turn_x, turn_y and turn_z are one rotation vector along the stator&apos;s axes.</source>
+        <translation>Seine Werte turn_x, turn_y und turn_z sind ein Drehvektor längs der Achsen des Stators.</translation>
+    </message>
+    <message>
+        <source>No row with all nine readings has come yet.</source>
+        <translation>Noch ist keine Zeile mit allen neun Messwerten gekommen.</translation>
+    </message>
+    <message>
+        <source>Wait a second, then compare again.</source>
+        <translation>Eine Sekunde warten, dann erneut vergleichen.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10931,10 +10963,6 @@
         <translation>Winkelfehler, Effektivwert: %1 mit den Werten von vorher in dieser Aufzeichnung, %2 mit den vorgeschlagenen erwartet.</translation>
     </message>
     <message>
-        <source>Still needed most: %1</source>
-        <translation>Fehlt noch am meisten: %1</translation>
-    </message>
-    <message>
         <source>Move the rotor: tilt it and spin it.</source>
         <translation>Bewegen Sie den Rotor: Kippen und drehen Sie ihn.</translation>
     </message>
@@ -11023,6 +11051,10 @@ Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translat
     <message>
         <source>What is the difference?</source>
         <translation>Worin liegt der Unterschied?</translation>
+    </message>
+    <message>
+        <source>Still needed most: %1 (%2)</source>
+        <translation>Fehlt noch am meisten: %1 (%2)</translation>
     </message>
 </context>
 <context>
@@ -22032,10 +22064,6 @@ Hall B
 <context>
     <name>halbench::app::EstimatorPanel</name>
     <message>
-        <source>Sensors at %1, %2 mm from the centre; q %3 mT</source>
-        <translation>Sensoren bei %1, %2 mm vom Mittelpunkt; q %3 mT</translation>
-    </message>
-    <message>
         <source>Tensor</source>
         <translation>Tensor</translation>
     </message>
@@ -22200,10 +22228,6 @@ Hall B
         <translation>Anzahl der Lagen</translation>
     </message>
     <message>
-        <source>Random poses in the workspace, or rows chosen evenly of a recording</source>
-        <translation>Zufällige Lagen im Arbeitsbereich oder gleichmäßig gewählte Zeilen einer Aufzeichnung</translation>
-    </message>
-    <message>
         <source>Spin γ</source>
         <translation>Drehung γ</translation>
     </message>
@@ -22228,12 +22252,24 @@ Hall B
         <translation>Fehler gelten gegen die nächste der vier Orientierungen mit gleichem Feld.</translation>
     </message>
     <message>
-        <source>The recording has no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
-        <translation>Die Aufzeichnung hat keine wahren Winkel (truth.alpha, truth.beta, truth.gamma): Fehler sind Abweichungen vom Projektor mit Gauß-Newton-Schritt.</translation>
-    </message>
-    <message>
         <source>Compares orientation estimators on the same poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
         <translation>Vergleicht Schätzer der Orientierung an denselben Lagen. Ein Gerät verbinden, das das Feld eines Rotors im Raum misst, oder eine Aufzeichnung davon abspielen.</translation>
+    </message>
+    <message>
+        <source>Sensors at %1 (%4), %2 mm from the centre; q %3 mT</source>
+        <translation>Sensoren bei %1 (%4), %2 mm vom Mittelpunkt; q %3 mT</translation>
+    </message>
+    <message>
+        <source>Rows of the last 10 seconds</source>
+        <translation>Zeilen der letzten 10 Sekunden</translation>
+    </message>
+    <message>
+        <source>Random poses in the workspace, or rows, chosen evenly</source>
+        <translation>Zufällige Lagen im Arbeitsbereich oder gleichmäßig gewählte Zeilen</translation>
+    </message>
+    <message>
+        <source>The rows have no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
+        <translation>Die Zeilen haben keine wahren Winkel (truth.alpha, truth.beta, truth.gamma): Fehler sind Abweichungen vom Projektor mit Gauß-Newton-Schritt.</translation>
     </message>
 </context>
 <context>
@@ -22386,6 +22422,10 @@ Hall B
         <source>Try the placement that is proven to cover all (Alt+R)</source>
         <translation>Nachweislich lückenlose Anordnung probieren (Alt+E)</translation>
     </message>
+    <message>
+        <source>Poses are (α, β, γ): %1.</source>
+        <translation>Lagen sind (α, β, γ): %1.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::CoverageView</name>
@@ -22415,6 +22455,10 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>Drehung von der X-Achse zum Ort des Sensors</translation>
+    </message>
+    <message>
+        <source>Order of the rotations</source>
+        <translation>Reihenfolge der Drehungen</translation>
     </message>
 </context>
 <context>
@@ -22836,6 +22880,57 @@ Hall B
     <message>
         <source>Above the limit: the device may stop.</source>
         <translation>Über dem Grenzwert: Das Gerät kann stoppen.</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AngleErrorPanel</name>
+    <message>
+        <source>Time span</source>
+        <translation>Zeitspanne</translation>
+    </message>
+    <message>
+        <source>Length of the data shown, up to now</source>
+        <translation>Länge der gezeigten Daten, bis jetzt</translation>
+    </message>
+    <message>
+        <source>Summary of the angle error</source>
+        <translation>Zusammenfassung des Winkelfehlers</translation>
+    </message>
+    <message>
+        <source>Shows the angle between the estimated and the true orientation of a simulated rotor. Connect a simulated device that measures its field, or play a recording with truth.alpha, truth.beta and truth.gamma.</source>
+        <translation>Zeigt den Winkel zwischen geschätzter und wahrer Orientierung eines simulierten Rotors. Verbinden Sie ein simuliertes Gerät, das sein Feld misst, oder spielen Sie eine Aufzeichnung mit truth.alpha, truth.beta und truth.gamma ab.</translation>
+    </message>
+    <message>
+        <source>Angle between the estimated and the true orientation</source>
+        <translation>Winkel zwischen geschätzter und wahrer Orientierung</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>angle error</source>
+        <translation>Winkelfehler</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>Orientierung</translation>
+    </message>
+    <message>
+        <source>shaft</source>
+        <translation>Welle</translation>
+    </message>
+    <message>
+        <source>95 % cone of the shaft</source>
+        <translation>95-%-Kegel der Welle</translation>
+    </message>
+    <message>
+        <source>%1 rows: %2° rms, %3° at most, to the nearest of the four orientations with the same field.</source>
+        <translation>%1 Zeilen: %2° Effektivwert, höchstens %3°, zur nächsten der vier Orientierungen mit demselben Feld.</translation>
+    </message>
+    <message>
+        <source>Arrow keys read values; Ctrl+C copies, Ctrl+E saves</source>
+        <translation>Pfeiltasten lesen Werte; Strg+C kopiert, Strg+E speichert</translation>
     </message>
 </context>
 </TS>

@@ -99,6 +99,10 @@
         <source>Coverage</source>
         <translation>覆盖</translation>
     </message>
+    <message>
+        <source>Angle error</source>
+        <translation>角度误差</translation>
+    </message>
 </context>
 <context>
     <name>Phrases</name>
@@ -253,10 +257,6 @@
     <message>
         <source>this device senses and does not drive: there is nothing to identify</source>
         <translation>该设备只测量、不驱动：没有可辨识的量</translation>
-    </message>
-    <message>
-        <source>{}alpha {}, beta {}, gamma {} deg</source>
-        <translation>{}alpha {}、beta {}、gamma {} 度</translation>
     </message>
     <message>
         <source>comes to rest</source>
@@ -3677,10 +3677,6 @@
     <message>
         <source>Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address.</source>
         <translation>请把转子也转到这些姿态。模拟转子在地址中加 motion=5 或 motion=6 即可运动。</translation>
-    </message>
-    <message>
-        <source>orientations that are missing most: {}</source>
-        <translation>最缺的姿态：{}</translation>
     </message>
     <message>
         <source>Switch the coil off, or change its current in the record.</source>
@@ -10554,6 +10550,42 @@
         <source>{}: row {}: axis {} would come to {} {}, its travel ends at {} {}</source>
         <translation>{}：第 {} 行：轴 {} 将到达 {} {}，其行程止于 {} {}</translation>
     </message>
+    <message>
+        <source>alpha {}, beta {}, gamma {} deg</source>
+        <translation>alpha {}、beta {}、gamma {} 度</translation>
+    </message>
+    <message>
+        <source>gamma about Z first, then beta about Y, then alpha about X</source>
+        <translation>先绕 Z 转 gamma，再绕 Y 转 beta，最后绕 X 转 alpha</translation>
+    </message>
+    <message>
+        <source>alpha about X first, then beta about Y, then gamma about Z</source>
+        <translation>先绕 X 转 alpha，再绕 Y 转 beta，最后绕 Z 转 gamma</translation>
+    </message>
+    <message>
+        <source>alpha about X first, then beta about Y, then gamma about Z, without the roll about the radius</source>
+        <translation>先绕 X 转 alpha，再绕 Y 转 beta，最后绕 Z 转 gamma，不含绕半径的滚转</translation>
+    </message>
+    <message>
+        <source>orientations that are missing most: {} ({})</source>
+        <translation>最缺的姿态：{}（{}）</translation>
+    </message>
+    <message>
+        <source>the placement angles of a sensor turn it in this order: {}</source>
+        <translation>传感器的布置角按此顺序转动传感器：{}</translation>
+    </message>
+    <message>
+        <source>Its values turn_x, turn_y and turn_z are one rotation vector along the stator&apos;s axes.</source>
+        <translation>其 turn_x、turn_y、turn_z 是沿定子轴的一个旋转矢量。</translation>
+    </message>
+    <message>
+        <source>No row with all nine readings has come yet.</source>
+        <translation>尚未收到含全部九个读数的行。</translation>
+    </message>
+    <message>
+        <source>Wait a second, then compare again.</source>
+        <translation>请等待一秒，然后再次比较。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>
@@ -10931,10 +10963,6 @@
         <translation>角度误差均方根：本次记录中原有值为 %1，预计采用建议值后为 %2。</translation>
     </message>
     <message>
-        <source>Still needed most: %1</source>
-        <translation>最缺的姿态：%1</translation>
-    </message>
-    <message>
         <source>Move the rotor: tilt it and spin it.</source>
         <translation>请转动转子：倾斜并自转。</translation>
     </message>
@@ -11023,6 +11051,10 @@ Nothing is armed, and nothing is changed until you apply it.</source>
     <message>
         <source>What is the difference?</source>
         <translation>有何区别？</translation>
+    </message>
+    <message>
+        <source>Still needed most: %1 (%2)</source>
+        <translation>最缺的姿态：%1（%2）</translation>
     </message>
 </context>
 <context>
@@ -22017,10 +22049,6 @@ Hall B
 <context>
     <name>halbench::app::EstimatorPanel</name>
     <message>
-        <source>Sensors at %1, %2 mm from the centre; q %3 mT</source>
-        <translation>传感器位于 %1，距中心 %2 mm；q %3 mT</translation>
-    </message>
-    <message>
         <source>Tensor</source>
         <translation>张量</translation>
     </message>
@@ -22185,10 +22213,6 @@ Hall B
         <translation>位姿数</translation>
     </message>
     <message>
-        <source>Random poses in the workspace, or rows chosen evenly of a recording</source>
-        <translation>工作空间内的随机位姿，或从记录中均匀选取的行</translation>
-    </message>
-    <message>
         <source>Spin γ</source>
         <translation>自转 γ</translation>
     </message>
@@ -22213,12 +22237,24 @@ Hall B
         <translation>误差按四个同场姿态中最近的一个计算。</translation>
     </message>
     <message>
-        <source>The recording has no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
-        <translation>记录中没有真实角度（truth.alpha、truth.beta、truth.gamma）：误差为与投影 + 高斯-牛顿一步的差。</translation>
-    </message>
-    <message>
         <source>Compares orientation estimators on the same poses. Connect a device that measures the field of a rotor in space, or play a recording of one.</source>
         <translation>在相同位姿上比较姿态估计器。请连接测量空间转子磁场的设备，或播放其记录。</translation>
+    </message>
+    <message>
+        <source>Sensors at %1 (%4), %2 mm from the centre; q %3 mT</source>
+        <translation>传感器位于 %1（%4），距中心 %2 mm；q %3 mT</translation>
+    </message>
+    <message>
+        <source>Rows of the last 10 seconds</source>
+        <translation>最近 10 秒的行</translation>
+    </message>
+    <message>
+        <source>Random poses in the workspace, or rows, chosen evenly</source>
+        <translation>工作空间内的随机位姿，或均匀选取的行</translation>
+    </message>
+    <message>
+        <source>The rows have no true angles (truth.alpha, truth.beta, truth.gamma): errors are differences from the projector with a Gauss-Newton step.</source>
+        <translation>这些行没有真实角度（truth.alpha、truth.beta、truth.gamma）：误差为与投影 + 高斯-牛顿一步的差。</translation>
     </message>
 </context>
 <context>
@@ -22371,6 +22407,10 @@ Hall B
         <source>Try the placement that is proven to cover all (Alt+R)</source>
         <translation>试用经证明完全覆盖的布置 (Alt+R)</translation>
     </message>
+    <message>
+        <source>Poses are (α, β, γ): %1.</source>
+        <translation>位姿为 (α, β, γ)：%1。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::widgets::CoverageView</name>
@@ -22400,6 +22440,10 @@ Hall B
     <message>
         <source>Rotation from the X axis to the sensor&apos;s place</source>
         <translation>从 X 轴到传感器位置的旋转</translation>
+    </message>
+    <message>
+        <source>Order of the rotations</source>
+        <translation>旋转顺序</translation>
     </message>
 </context>
 <context>
@@ -22821,6 +22865,57 @@ Hall B
     <message>
         <source>Above the limit: the device may stop.</source>
         <translation>超出限值：设备可能会停止。</translation>
+    </message>
+</context>
+<context>
+    <name>halbench::app::AngleErrorPanel</name>
+    <message>
+        <source>Time span</source>
+        <translation>时间跨度</translation>
+    </message>
+    <message>
+        <source>Length of the data shown, up to now</source>
+        <translation>所示数据的长度，截至现在</translation>
+    </message>
+    <message>
+        <source>Summary of the angle error</source>
+        <translation>角度误差摘要</translation>
+    </message>
+    <message>
+        <source>Shows the angle between the estimated and the true orientation of a simulated rotor. Connect a simulated device that measures its field, or play a recording with truth.alpha, truth.beta and truth.gamma.</source>
+        <translation>显示仿真转子估计姿态与真实姿态之间的角度。请连接测量其磁场的仿真设备，或播放带有 truth.alpha、truth.beta 和 truth.gamma 的记录。</translation>
+    </message>
+    <message>
+        <source>Angle between the estimated and the true orientation</source>
+        <translation>估计姿态与真实姿态之间的角度</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>angle error</source>
+        <translation>角度误差</translation>
+    </message>
+    <message>
+        <source>orientation</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>shaft</source>
+        <translation>转轴</translation>
+    </message>
+    <message>
+        <source>95 % cone of the shaft</source>
+        <translation>转轴的 95 % 锥</translation>
+    </message>
+    <message>
+        <source>%1 rows: %2° rms, %3° at most, to the nearest of the four orientations with the same field.</source>
+        <translation>%1 行：有效值 %2°，最大 %3°，相对于同场的四个姿态中最近的一个。</translation>
+    </message>
+    <message>
+        <source>Arrow keys read values; Ctrl+C copies, Ctrl+E saves</source>
+        <translation>方向键读取数值；Ctrl+C 复制，Ctrl+E 保存</translation>
     </message>
 </context>
 </TS>

@@ -20,7 +20,8 @@ struct ShaftNeed {
 struct MotionNeeds {
     bool isEnough = false;
     std::vector<ShaftNeed> shafts;
-    std::string missing; ///< "alpha 40, beta -40, gamma 0 deg", most wanted first; empty when it is enough
+    std::vector<std::string> missing; ///< "alpha 40, beta -40, gamma 0 deg", most wanted first
+    std::string order;                ///< of the rotations by these angles; empty while none is missing
 };
 
 /// From the rows that the calibration's stream gave so far and the values on the board, by name.

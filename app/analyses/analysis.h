@@ -48,6 +48,7 @@ struct AnalysisValues {
 struct AnalysisControl {
     std::function<bool()> isStopped;
     std::function<void(double)> onProgress;
+    std::function<double()> now_s = {}; ///< a running time; empty: nothing is timed
 };
 
 /// A table that goes into a CSV file.
@@ -62,7 +63,9 @@ struct AnalysisOutcome {
     JsonValue body = JsonValue::object();
     std::string summary;                ///< for people
     std::optional<AnalysisTable> table; ///< written by `--out FILE.csv`
-    std::vector<AnalysisPlot> plots;    ///< in the report of a run
+    std::vector<AnalysisPlot> plots;    ///< in the report of a run, and for `--picture`
+    /// How long it took on this machine: said on the terminal, never in a result, which equal seeds repeat.
+    std::string timing = {};
 };
 
 /// The part of an analysis that a device can give in place of settings or a recording.
@@ -89,6 +92,7 @@ struct Analysis {
     Result<AnalysisOutcome> (*run)(const AnalysisValues& values, const devices::RecordedFile* file,
                                    const std::string& origin, const AnalysisControl& control) = nullptr;
     std::optional<AnalysisDevice> device = {}; ///< nothing: it takes no device
+    bool hasPicture = false;                   ///< `--picture` draws its plots
 };
 
 /// "noise_uT" -> "--noise-uT"

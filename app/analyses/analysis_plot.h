@@ -33,6 +33,7 @@ struct AnalysisPlot {
     AnalysisScale x;
     std::vector<AnalysisPanel> panels;
     std::string caption = {};
+    bool isEqualScale = false; ///< a unit is as long on both axes of the one panel
 };
 
 } // namespace halbench::app

@@ -3,6 +3,9 @@
 #include "app/cli/commands.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
+#include "app/figures/analysis_figure.h"
+#include "app/figures/picture_file.h"
+#include "app/figures/recording_picture.h"
 #include "app/headless/analysis_control.h"
 #include "app/headless/analysis_device.h"
 #include "app/headless/command_header.h"
@@ -23,6 +26,7 @@ struct AnalysisOptions {
     const Analysis* analysis;
     std::string input = {}; ///< RECORDING, SPEC or DEVICE
     std::string out = {};
+    std::string picture = {};
     AnalysisTexts texts = {};
     std::string duration = {}, rate = {}, recordFile = {}; ///< of a device whose rows are taken
 };
@@ -48,6 +52,34 @@ Result<void> writeOutput(CommandContext& context, const AnalysisOptions& options
     const Result<void> written = writeFile(options.out, analysisCsv(*result.table));
     if (written) {
         context.console.log(LogLevel::Info, "wrote " + options.out);
+    }
+    return written;
+}
+
+Result<void> checkPicture(const AnalysisOptions& options) {
+    return options.picture.empty() || isPictureFile(options.picture)
+               ? Result<void>()
+               : failure(ErrorCode::Usage,
+                         fmt::format("'{}' is of no format of pictures that can be written", options.picture),
+                         "this version writes .svg, .pdf and .png");
+}
+
+Result<void> writePicture(CommandContext& context, const AnalysisOptions& options,
+                          const AnalysisOutcome& result) {
+    if (options.picture.empty()) {
+        return {};
+    }
+    if (result.plots.empty()) {
+        return failure(ErrorCode::Refused, "--picture: this result has no picture",
+                       "leave --picture out, or choose poses along a trajectory");
+    }
+    const Result<std::string> content = figurePicture(analysisPicture(result.plots), options.picture);
+    if (!content) {
+        return failure(content.error());
+    }
+    const Result<void> written = writeFile(options.picture, *content);
+    if (written) {
+        context.console.log(LogLevel::Info, "wrote " + options.picture);
     }
     return written;
 }
@@ -81,6 +113,9 @@ void addOptions(CommandSyntax& syntax, AnalysisOptions& options) {
     }
     syntax.option("--out", options.out, analysis.writesTable ? "Table" : "Result",
                   analysis.writesTable ? "FILE.csv" : "FILE.json");
+    if (analysis.hasPicture) {
+        syntax.option("--picture", options.picture, "Picture of the result", "F.svg|.pdf|.png");
+    }
 }
 
 /// Settings of a file with those of the command line, which win.
@@ -226,7 +261,7 @@ Result<AnalysisInput> inputOf(CommandContext& context, const AnalysisOptions& op
 }
 
 CommandOutputs outputsOf(const AnalysisOptions& options) {
-    return {{options.out}, {options.recordFile}};
+    return {{options.out, options.picture}, {options.recordFile}};
 }
 
 /// The files that a file of settings names; those of the command line are checked with it.
@@ -242,6 +277,9 @@ Result<void> checkKeepsInputsOf(const AnalysisValues& values, const AnalysisOpti
 
 CommandResult runAnalysisCommand(CommandContext& context, const AnalysisOptions& options) {
     const Analysis& analysis = *options.analysis;
+    if (const Result<void> checked = checkPicture(options); !checked) {
+        return failure(checked.error());
+    }
     Result<AnalysisInput> input = inputOf(context, options);
     if (!input) {
         return failure(input.error());
@@ -258,8 +296,13 @@ CommandResult runAnalysisCommand(CommandContext& context, const AnalysisOptions&
         return failure(stopped ? result.error() : stopped.error());
     }
     addQuality(header.quality, result->quality);
-    if (const Result<void> written = writeOutput(context, options, *result); !written) {
+    Result<void> written = writeOutput(context, options, *result);
+    written = written ? writePicture(context, options, *result) : written;
+    if (!written) {
         return failure(written.error());
+    }
+    if (!result->timing.empty()) {
+        context.console.log(LogLevel::Info, result->timing);
     }
     JsonValue document = toJson(header);
     for (const JsonMember& member : result->body.members()) {

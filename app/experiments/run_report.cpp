@@ -3,6 +3,7 @@
 #include "app/actuators/htm/known_motor.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
+#include "app/figures/analysis_figure.h"
 #include "app/figures/disturbance_figure.h"
 #include "app/headless/exit_code.h"
 #include "app/procedures/tune/disturbance.h"
@@ -89,28 +90,6 @@ ReportSection plainSection(const StepOutcome& step, const std::string& heading) 
     return {heading, {facts}};
 }
 
-widgets::Figure figureOf(const AnalysisPlot& plot) {
-    const auto axisOf = [](const AnalysisScale& scale) {
-        return widgets::Axis{scale.quantity, scale.unit, scale.isLogarithmic, {}, {}, {}};
-    };
-    widgets::Figure figure;
-    figure.title = plot.title;
-    figure.x = axisOf(plot.x);
-    for (const AnalysisPanel& from : plot.panels) {
-        widgets::Panel panel;
-        panel.y = axisOf(from.y);
-        for (const AnalysisCurve& curve : from.curves) {
-            const auto style = curve.isPoints ? widgets::CurveStyle::Points : widgets::CurveStyle::Line;
-            panel.curves.push_back({curve.name, curve.x, curve.y, style, {}});
-        }
-        if (from.limit) {
-            panel.lines.push_back({widgets::ReferenceLine::Direction::Horizontal, *from.limit, "threshold"});
-        }
-        figure.panels.push_back(panel);
-    }
-    return figure;
-}
-
 /// What people read of an analysis, line by line, and its pictures.
 ReportSection outcomeSection(const std::string& heading, const AnalysisOutcome& outcome) {
     ReportSection section{heading, {}};
@@ -119,7 +98,7 @@ ReportSection outcomeSection(const std::string& heading, const AnalysisOutcome& 
         section.blocks.emplace_back(ReportParagraph{line, ReportTone::Plain});
     }
     for (const AnalysisPlot& plot : outcome.plots) {
-        section.blocks.emplace_back(ReportPlot{figureOf(plot), plot.caption});
+        section.blocks.emplace_back(ReportPlot{analysisFigure(plot), plot.caption});
     }
     return section;
 }

@@ -83,6 +83,9 @@ Result<StepOutcome> runAnalysisStep(StepRun& run, const ExperimentStep& step, co
     if (!result) {
         return failure(result.error());
     }
+    if (!result->timing.empty()) { // of this machine: not in the files, which equal seeds repeat
+        run.context.console.log(LogLevel::Info, step.name + ": " + result->timing);
+    }
     StepOutcome outcome;
     outcome.quality = result->quality;
     outcome.body = result->body;

@@ -5,8 +5,8 @@
 
 namespace halbench::app {
 
-/// Progress bar and interruption of an analysis that runs under the command line; the context must outlive
-/// it.
+/// Progress bar, interruption and clock of an analysis that runs under the command line; the context must
+/// outlive it.
 AnalysisControl analysisControl(CommandContext& context, const Analysis& analysis);
 
 } // namespace halbench::app

@@ -1,18 +1,17 @@
 #include "app/wizards/calibrate_panel.h"
 
 #include "app/actuators/actuator.h"
-#include "app/actuators/motion_needs.h"
 #include "app/documents/result_documents.h"
 #include "app/figures/calibration_figures.h"
 #include "app/tuning/loop_conditions.h"
 #include "app/wizards/calibrate_text.h"
 #include "app/wizards/identify_text.h"
 #include "app/wizards/live_motion.h"
+#include "app/wizards/motion_guide.h"
 #include "app/wizards/note_label.h"
 #include "app/wizards/words_and_pictures.h"
 #include "app/workbench/document_files.h"
 #include "app/workspaces/parts/preflight.h"
-#include "widgets/actuators/spherical/sphere_view.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/progress_row.h"
 #include "widgets/controls/step_list.h"
@@ -104,12 +103,9 @@ QWidget* CalibratePanel::buildRun() {
     auto* column = columnOf(page, widgets::GroupSpacing_px);
     m_progress = new widgets::ProgressRow(page);
     m_liveView = new widgets::FigureView(page);
-    m_sphere = new widgets::SphereView(page);
-    m_needs = new QLabel(page);
-    m_needs->setWordWrap(true);
+    m_guide = new MotionGuide(bench(), page);
     column->addWidget(m_liveView, 1);
-    column->addWidget(m_sphere, 1);
-    column->addWidget(m_needs);
+    column->addWidget(m_guide, 1);
     connect(m_progress, &widgets::ProgressRow::cancelRequested, this, [this] {
         m_isCancelling = true;
         bench().session().abortProcedure();
@@ -288,16 +284,15 @@ void CalibratePanel::onDevice() {
 }
 
 bool CalibratePanel::isMovedByHand() const {
-    return motionNeedsOf(bench().session().info().model) != nullptr;
+    return m_guide->isFor(bench().session().info().model);
 }
 
 void CalibratePanel::start() {
     m_live = std::make_shared<LiveHall>();
-    m_motion = isMovedByHand() ? std::make_shared<LiveMotion>() : nullptr;
-    m_judgedRows = 0;
+    m_guide->begin();
     const bool hasStarted = runProcedure(
         tr("Calibrate"),
-        [config = config(), live = m_live, motion = m_motion,
+        [config = config(), live = m_live, motion = m_guide->motion(),
          run = actuator().calibrate.run](devices::Device& device, const ProcedureObserver& session) {
             const ProcedureObserver observer = listeningIn(session, [live, motion](const SampleBlock& block) {
                 live->take(block);
@@ -317,12 +312,8 @@ void CalibratePanel::start() {
     constexpr double Usual_degC = 25.0;
     // A device with several axes tells its own progress.
     m_predicted_s = hasSeveralAxes() ? 0.0 : actuator().calibrate.predict(config(), Usual_degC).duration_s;
-    m_liveView->setVisible(m_motion == nullptr && !hasSeveralAxes());
-    m_sphere->setVisible(m_motion != nullptr);
-    m_needs->setVisible(m_motion != nullptr);
-    m_sphere->clear();
-    m_sphere->setWanted({});
-    m_needs->clear();
+    m_liveView->setVisible(!isMovedByHand() && !hasSeveralAxes());
+    m_guide->setVisible(isMovedByHand());
     m_largest_T = ExpectedField_T;
     m_isCancelling = false;
     m_liveView->setFigure(liveHallFigure({}, m_largest_T));
@@ -340,9 +331,7 @@ void CalibratePanel::showLive() {
         m_largest_T = field_T > m_largest_T ? Room_ratio * field_T : m_largest_T;
     }
     m_liveView->setFigure(liveHallFigure(points, m_largest_T));
-    if (m_motion) {
-        showLiveMotion();
-    }
+    m_guide->refresh();
     if (!m_isCancelling && m_predicted_s > 0.0) {
         // The plan is that of the published motor; another one may take longer.
         const double done = std::min(0.99, m_live->elapsed_s() / m_predicted_s);
@@ -352,29 +341,9 @@ void CalibratePanel::showLive() {
     }
 }
 
-void CalibratePanel::showLiveMotion() {
-    constexpr std::size_t JudgedEvery = 10; // a second of rows
-    if (const std::optional<Eigen::Matrix3d> rotation = m_motion->orientation()) {
-        m_sphere->setOrientation(*rotation, 0.0, widgets::SphereVerdict::Fresh);
-    }
-    const Recording rows = m_motion->rows();
-    if (rows.rows() < m_judgedRows + JudgedEvery) {
-        return;
-    }
-    m_judgedRows = rows.rows();
-    const MotionNeeds needs = motionNeedsOf(bench().session().info().model)(rows, bench().deviceValues());
-    std::vector<widgets::SphereWanted> wanted;
-    for (const ShaftNeed& need : needs.shafts) {
-        const double s = std::sin(need.theta_rad);
-        wanted.push_back(
-            {{s * std::cos(need.phi_rad), s * std::sin(need.phi_rad), std::cos(need.theta_rad)}, need.share});
-    }
-    m_sphere->setWanted(std::move(wanted));
-    m_needs->setText(handMotionNeeds(needs.isEnough, needs.missing));
-}
-
 void CalibratePanel::onStage(ProcedureState stage) {
-    const bool isMoving = stage == ProcedureState::Excite || (m_motion && stage == ProcedureState::Record);
+    const bool isMoving =
+        stage == ProcedureState::Excite || (isMovedByHand() && stage == ProcedureState::Record);
     if (isMine() && isMoving) {
         runStep(ExciteStep);
     } else if (isMine() && stage == ProcedureState::Propose) {

@@ -21,7 +21,6 @@ namespace halbench::widgets {
 class EstimateTable;
 class FigureView;
 class ProgressRow;
-class SphereView;
 class VerdictView;
 } // namespace halbench::widgets
 
@@ -29,7 +28,7 @@ namespace halbench::app {
 
 struct Actuator;
 class Preflight;
-class LiveMotion;
+class MotionGuide;
 class WordsAndPictures;
 
 /// Calibration of the sensors, the stray field and the static friction: what will happen, what was found
@@ -74,7 +73,6 @@ private:
     void onValues();
     void start();
     void showLive();
-    void showLiveMotion();
     /// The device's calibration records a motion that is made by hand.
     bool isMovedByHand() const;
     void onStage(ProcedureState stage);
@@ -104,11 +102,8 @@ private:
     QPushButton* m_start = nullptr;
     widgets::ProgressRow* m_progress = nullptr;
     widgets::FigureView* m_liveView = nullptr;
-    std::shared_ptr<LiveHall> m_live;        ///< of the run; the procedure's thread fills it
-    widgets::SphereView* m_sphere = nullptr; ///< instead of the figure for a motion made by hand
-    QLabel* m_needs = nullptr;
-    std::shared_ptr<LiveMotion> m_motion; ///< likewise; nullptr while the device moves itself
-    std::size_t m_judgedRows = 0;
+    std::shared_ptr<LiveHall> m_live; ///< of the run; the procedure's thread fills it
+    MotionGuide* m_guide = nullptr;   ///< instead of the figure for a motion made by hand
     QTimer m_frame;
     QElapsedTimer m_sinceStart;
     double m_predicted_s = 0.0;

@@ -5,6 +5,8 @@
 #include "control/base/unit_text.h"
 #include "widgets/controls/progress_row.h"
 #include "widgets/language/display_units.h"
+#include "widgets/language/greek_angles.h"
+#include "widgets/language/phrasebook.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -212,12 +214,19 @@ QString handMotionOutlook(const CalibrateConfig& config) {
                      "apply it.");
 }
 
-QString handMotionNeeds(bool isEnough, const std::string& missing) {
+QString handMotionNeeds(bool isEnough, const std::vector<std::string>& missing, const std::string& order) {
     if (isEnough) {
         return Words::tr("The motion determines every value. More of it makes the intervals smaller.");
     }
-    return missing.empty() ? Words::tr("Move the rotor: tilt it and spin it.")
-                           : Words::tr("Still needed most: %1").arg(QString::fromStdString(missing));
+    if (missing.empty()) {
+        return Words::tr("Move the rotor: tilt it and spin it.");
+    }
+    QStringList orientations;
+    for (const std::string& orientation : missing) {
+        orientations << widgets::greekAngles(widgets::inWords(orientation));
+    }
+    return Words::tr("Still needed most: %1 (%2)")
+        .arg(orientations.join(QStringLiteral("; ")), widgets::greekAngles(widgets::inWords(order)));
 }
 
 std::vector<widgets::EstimateRow> calibrationRows(const CalibrateResult& result,

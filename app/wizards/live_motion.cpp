@@ -1,7 +1,6 @@
 #include "app/wizards/live_motion.h"
 
-#include <Eigen/Geometry>
-#include <array>
+#include <cmath>
 
 namespace halbench::app {
 
@@ -23,22 +22,15 @@ double LiveMotion::elapsed_s() const {
     return m_rows.rows() == 0 ? 0.0 : m_rows.time_s.back() - m_rows.time_s.front();
 }
 
-std::optional<Eigen::Matrix3d> LiveMotion::orientation() const {
+std::optional<double> LiveMotion::latest(const std::string& signal) const {
     const std::lock_guard lock(m_mutex);
-    if (m_rows.rows() == 0) {
+    const int column = m_rows.rows() == 0 ? -1 : m_rows.layout->indexOf(signal);
+    if (column < 0) {
         return std::nullopt;
     }
-    constexpr std::array Names = {"orientation.w", "orientation.x", "orientation.y", "orientation.z"};
-    std::array<double, 4> q{};
     const std::size_t width = m_rows.layout->columns.size();
-    for (std::size_t i = 0; i < q.size(); ++i) {
-        const int column = m_rows.layout->indexOf(Names[i]);
-        if (column < 0) {
-            return std::nullopt;
-        }
-        q[i] = m_rows.values[(m_rows.rows() - 1) * width + static_cast<std::size_t>(column)];
-    }
-    return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+    const double value = m_rows.values[(m_rows.rows() - 1) * width + static_cast<std::size_t>(column)];
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 } // namespace halbench::app

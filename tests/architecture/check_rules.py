@@ -92,7 +92,8 @@ SAMPLES = {
           "app/actuators/registry/actuators.cpp": '#include "app/actuators/htm/p.h"\n',
           "devices/open/b.cpp": '#include "devices/simulated/simulated_model.h"\n'}]),
     "actuators_are_named_in_their_folders": (
-        [{"app/cli/a.cpp": 'const bool isSpecial = model == "planar";'}, {"app/experiments/a.cpp": "planar::step();"}],
+        [{"app/cli/a.cpp": 'const bool isSpecial = model == "planar";'}, {"app/experiments/a.cpp": "planar::step();"},
+         {"app/wizards/a.cpp": '#include "widgets/actuators/spherical/sphere_view.h"\n'}],
         [{"app/actuators/planar/a.cpp": 'return {"planar"};', "app/actuators/registry/a.cpp": "planar();",
           "app/cli/a.cpp": "// resources/help/planar-theory.md section 1\nint planarity;"}]),
     "firmware_is_plain_c": (

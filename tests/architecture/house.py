@@ -50,7 +50,7 @@ MAY_INCLUDE = {
     "app/analyses": "control/base; models/fields, planar, spherical; devices/formats; app/procedures, actuators, documents",
     "app/recordings": "control/base; devices; devices/recording, formats; app/documents",
     "app/tuning": "control/base; devices; devices/formats; app/procedures, documents",
-    "app/figures": "control/base, lti, analysis, identify; widgets/theme, language, figure; app/procedures",
+    "app/figures": "control/base, lti, analysis, identify; widgets/theme, language, figure; app/procedures, analyses",
     "app/report": "control/base; models/htm; widgets/theme, figure; app/procedures, actuators, figures",
     "app/headless": "control/base; devices; devices/transport, recording, formats, open; app/procedures, documents, analyses",
     "app/experiments": "control/base; devices/recording, formats; app/procedures, actuators, analyses, documents, tuning, figures, report, headless",

@@ -272,8 +272,8 @@ def actuators_stay_in_their_folders(files):
 
 
 # Actuators that live in their folders alone; the motor's name still stands in its presets and analyses.
-NAMED_ONCE = re.compile(r"\bplanar\b")
-NAMED_IN = re.compile(r"/planar/|/registry/|^widgets/language/|^models/")
+NAMED_ONCE = re.compile(r"\b(?:planar|spherical)\b")
+NAMED_IN = re.compile(r"/planar/|/spherical/|/registry/|^widgets/language/|^models/")
 
 
 def actuators_are_named_in_their_folders(files):

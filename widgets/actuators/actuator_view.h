@@ -21,6 +21,13 @@ struct ActuatorValues {
     std::function<std::optional<double>(const std::string& role)> parameter;
 };
 
+/// A direction of a rotor's shaft, and how much data with it are wanted: 0 ... 1.
+struct WantedShaft {
+    double theta_rad = 0.0; ///< from Z
+    double phi_rad = 0.0;   ///< from X
+    double share = 0.0;
+};
+
 /// Live picture of one actuator. Its actions (QWidget::actions()) are the commands and choices that belong to
 /// it. Thread: GUI.
 class ActuatorPicture : public QWidget {
@@ -32,6 +39,8 @@ public:
     virtual void setStale(bool isStale) = 0;       ///< the values are the last ones known
     virtual void clear() = 0;                      ///< another device: nothing is known
     virtual QString numbers() const { return {}; } ///< text below the picture
+    /// Where a calibration wants data; a picture of another motion shows nothing of it.
+    virtual void showWanted(const std::vector<WantedShaft>& /*shafts*/) {}
 
     /// Paints the picture into a rectangle of any size, for files; empty: it cannot be saved.
     using Drawing = std::function<void(QPainter& painter, const Theme& theme, const QSizeF& size)>;

@@ -89,11 +89,28 @@ bool isQuoted(const Pattern& pattern, int place) {
            (after.front() == QLatin1Char('\'') || after.front() == QLatin1Char('"'));
 }
 
+/// "alpha 40, ... deg; alpha -20, ... deg": a list of texts that are all known.
+std::optional<QString> listed(const QString& english) {
+    const QString mark = QStringLiteral("; ");
+    QStringList parts = english.split(mark);
+    for (QString& part : parts) {
+        const std::optional<QString> found = parts.size() > 1 ? sentence(part) : std::nullopt;
+        if (!found) {
+            return std::nullopt;
+        }
+        part = *found;
+    }
+    return parts.join(mark);
+}
+
 QString filling(const QString& english) {
     static const QRegularExpression number(QStringLiteral("^-?[0-9]+\\.[0-9]+(e[-+]?[0-9]+)?$"));
     if (number.match(english).hasMatch()) {
         QString local = tidyExponent(english);
         return local.replace(QLatin1Char('.'), QLocale().decimalPoint());
+    }
+    if (const std::optional<QString> list = listed(english)) {
+        return *list;
     }
     return sentence(english).value_or(english);
 }

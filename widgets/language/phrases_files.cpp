@@ -289,6 +289,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "connection back"),
     QT_TRANSLATE_NOOP("Phrases", "the device's capture was ended by another program"),
     QT_TRANSLATE_NOOP("Phrases", "make sure that no other program uses it, then re-arm the trigger"),
+    QT_TRANSLATE_NOOP("Phrases", "No row with all nine readings has come yet."),
+    QT_TRANSLATE_NOOP("Phrases", "Wait a second, then compare again."),
     QT_TRANSLATE_NOOP("Phrases", "the device changed before writing started"),
     QT_TRANSLATE_NOOP("Phrases", "check the rows again, then restore"),
     QT_TRANSLATE_NOOP("Phrases", "choose another preset"),

@@ -50,14 +50,10 @@ std::vector<models::OrientationAngles> missingOrientations(const models::Spheric
     return chosen;
 }
 
-std::string orientationsText(const std::vector<models::OrientationAngles>& orientations) {
-    std::string text;
-    for (const models::OrientationAngles& angles : orientations) {
-        text += fmt::format("{}alpha {:.0f}, beta {:.0f}, gamma {:.0f} deg", text.empty() ? "" : "; ",
-                            radiansToDegrees(angles.alpha_rad), radiansToDegrees(angles.beta_rad),
-                            radiansToDegrees(angles.gamma_rad));
-    }
-    return text;
+std::string orientationText(const models::OrientationAngles& angles) {
+    const auto degrees = [](double angle_rad) { return std::round(radiansToDegrees(angle_rad)) + 0.0; };
+    return fmt::format("alpha {:.0f}, beta {:.0f}, gamma {:.0f} deg", degrees(angles.alpha_rad),
+                       degrees(angles.beta_rad), degrees(angles.gamma_rad));
 }
 
 } // namespace halbench::app

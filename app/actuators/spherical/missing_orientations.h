@@ -14,7 +14,7 @@ std::vector<models::OrientationAngles> missingOrientations(const models::Spheric
                                                            const models::CalibrationConfig& config,
                                                            std::size_t count);
 
-/// "alpha 40, beta -40, gamma 0 degrees; ..."
-std::string orientationsText(const std::vector<models::OrientationAngles>& orientations);
+/// "alpha 40, beta -40, gamma 0 deg"
+std::string orientationText(const models::OrientationAngles& angles);
 
 } // namespace halbench::app

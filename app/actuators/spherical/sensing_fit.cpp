@@ -1,6 +1,7 @@
 #include "app/actuators/spherical/sensing_fit.h"
 
 #include "app/actuators/spherical/missing_orientations.h"
+#include "app/actuators/spherical/rotation_order.h"
 #include "app/actuators/spherical/sensing_signs.h"
 #include "control/base/units.h"
 #include "models/spherical/calibration_fit.h"
@@ -249,9 +250,14 @@ void refuse(CalibrateResult& result, const Error& error, const SensedMotion& mot
     note(result, Verdict::Refused, "not_determined", error.message, error.hint);
     const auto excitation = models::calibrationExcitation(board.calibration, motion.samples, config);
     if (excitation) {
-        const auto missing = missingOrientations(board.calibration, *excitation, config, ListedOrientations);
+        std::vector<std::string> missing;
+        for (const models::OrientationAngles& angles :
+             missingOrientations(board.calibration, *excitation, config, ListedOrientations)) {
+            missing.push_back(orientationText(angles));
+        }
         note(result, Verdict::Refused, "orientations_missing",
-             fmt::format("orientations that are missing most: {}", orientationsText(missing)),
+             fmt::format("orientations that are missing most: {} ({})", fmt::join(missing, "; "),
+                         orientationOrder()),
              "Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address.");
     }
 }
@@ -339,6 +345,10 @@ Result<void> concludeSensing(const SensedMotion& motion, const SensingBoard& boa
         const double tolerance_T = remaining.readingDeviation_T();
         addPlainFigure(result, "sensor.deviation", "T", noise_T);
         addPlainFigure(result, "sensor.tolerance", "T", tolerance_T);
+        note(result, Verdict::Good, "rotation_order",
+             fmt::format("the placement angles of a sensor turn it in this order: {}",
+                         placementOrder(board.frames)),
+             "Its values turn_x, turn_y and turn_z are one rotation vector along the stator's axes.");
         const std::vector<ParameterValue> values = sensingValues(board, fit->calibration);
         result.proposed.insert(result.proposed.end(), values.begin(), values.end());
         result.proposed.push_back({"sensor.deviation", noise_T});

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 
 namespace halbench::app {
 namespace {
@@ -20,6 +22,8 @@ constexpr double LargestField_T = 3.0;
 constexpr const char* LeftOut = "channels_left_out";
 constexpr const char* Current = "coil.current";
 constexpr const char* Temperature = "temperature";
+/// What a picture of the motion shows while it is recorded, where the board has it.
+constexpr std::array Watched = {"orientation.fresh", "integrity", "shaft.cone95", "strength", "chi_square"};
 
 /// A column that may be missing, but not be in a unit of another quantity.
 Result<std::vector<double>> columnOf(const Recording& recording, const std::string& name,
@@ -205,6 +209,9 @@ Result<SensedMotion> recordSensedMotion(devices::Device& device, double duration
     std::vector<std::string> names = fieldSignals();
     names.insert(names.end(), {LeftOut, Current, Temperature, "orientation.w", "orientation.x",
                                "orientation.y", "orientation.z"});
+    const devices::Catalogue catalogue = device.catalogue();
+    std::copy_if(Watched.begin(), Watched.end(), std::back_inserter(names),
+                 [&catalogue](const char* name) { return catalogue.findSignal(name) != nullptr; });
     if (auto entered = enterState(observer, ProcedureState::Record); !entered) {
         return failure(entered.error());
     }

@@ -1,6 +1,7 @@
 #include "app/actuators/spherical/sensing_needs.h"
 
 #include "app/actuators/spherical/missing_orientations.h"
+#include "app/actuators/spherical/rotation_order.h"
 #include "app/actuators/spherical/sensing_board.h"
 #include "app/actuators/spherical/sensing_fit.h"
 #include "app/actuators/spherical/sensing_motion.h"
@@ -77,8 +78,11 @@ MotionNeeds sensingNeeds(const Recording& rows, const std::map<std::string, doub
     needs.shafts = shaftNeeds([&](const Eigen::Matrix3d& rotation) {
         return models::calibrationGain(board.calibration, *excitation, config, rotation);
     });
-    needs.missing =
-        orientationsText(missingOrientations(board.calibration, *excitation, config, ListedOrientations));
+    for (const models::OrientationAngles& angles :
+         missingOrientations(board.calibration, *excitation, config, ListedOrientations)) {
+        needs.missing.push_back(orientationText(angles));
+    }
+    needs.order = orientationOrder();
     return needs;
 }
 

@@ -152,11 +152,55 @@ AnalysisTable toTable(const Coverage& work) {
     return table;
 }
 
+/// Over the spin: what the sensors read at least, whatever the tilt.
+AnalysisPlot plotOf(const Coverage& work) {
+    constexpr double SpinStep_rad = Pi / 180.0;
+    constexpr double TiltStep_rad = 2.5 * Pi / 180.0;
+    const models::CoverageModel model = work.choice.coverageModel();
+    const models::AngleRange spins = models::workspaceGrid(SpinStep_rad).gamma;
+    const models::PoseGrid tilts = models::workspaceGrid(TiltStep_rad);
+    AnalysisPlot plot{"Least reading over all tilts", {"gamma", "deg"}, {}};
+    for (std::size_t c = 0; c < models::ComponentCount; ++c) {
+        plot.panels.push_back(
+            {{ComponentNames[c], "mT"}, {AnalysisCurve{"", {}, {}}}, 1e3 * work.threshold_T});
+    }
+    for (int spin = 0; spin < spins.count; ++spin) {
+        std::array<double, models::ComponentCount> least_T;
+        least_T.fill(HUGE_VAL);
+        for (int a = 0; a < tilts.alpha.count; ++a) {
+            for (int b = 0; b < tilts.beta.count; ++b) {
+                const models::SphericalReadings readings_T =
+                    model.readings_T({tilts.alpha.at(a), tilts.beta.at(b), spins.at(spin)});
+                for (std::size_t c = 0; c < least_T.size(); ++c) {
+                    least_T[c] =
+                        std::min(least_T[c], models::largestOfComponent_T(readings_T, static_cast<int>(c)));
+                }
+            }
+        }
+        for (std::size_t c = 0; c < least_T.size(); ++c) {
+            AnalysisCurve& curve = plot.panels[c].curves.front();
+            curve.x.push_back(radiansToDegrees(spins.at(spin)));
+            curve.y.push_back(1e3 * least_T[c]);
+        }
+    }
+    for (std::size_t c = 0; c < models::ComponentCount; ++c) {
+        const models::ComponentProof& proof = work.proof.component[c];
+        if (proof.verdict == models::CoverageVerdict::Refuted) {
+            plot.panels[c].curves.push_back(
+                {"counterexample", {radiansToDegrees(proof.leastAt.gamma_rad)}, {1e3 * proof.least_T}, true});
+        }
+    }
+    plot.caption = "Largest magnitude of the three sensors at each spin, at that of the tilts every 2.5 "
+                   "degrees where it is least.";
+    return plot;
+}
+
 std::string summaryOf(const Coverage& work) {
     std::string text =
         fmt::format("coverage of the workspace at {} mT\n", formatNumber(1e3 * work.threshold_T));
     text += fmt::format("  {} of {} poses uncovered ({:.4f} %)\n", work.count.uncovered, work.count.poses,
                         100.0 * work.count.uncovered_ratio());
+    text += placementText(work.choice.device, work.choice.placement);
     text += proofText(work.proof, work.threshold_T);
     if (work.figures.conditioning > 0.0) {
         text += fmt::format("  conditioning {:.3f}, predicted angle error {:.4f} deg rms at {} uT\n",
@@ -186,6 +230,7 @@ Result<AnalysisOutcome> runCoverage(const AnalysisValues& values, const devices:
     result.body = toBody(work);
     result.summary = summaryOf(work);
     result.table = toTable(work);
+    result.plots.push_back(plotOf(work));
     return result;
 }
 
@@ -199,7 +244,8 @@ Analysis coverageAnalysis() {
             true,
             coverageKeys(),
             runCoverage,
-            sensingDevice()};
+            sensingDevice(),
+            true};
 }
 
 } // namespace halbench::app

@@ -3,6 +3,7 @@
 #include "app/analyses/spherical/estimator_comparison.h"
 #include "app/analyses/spherical/placement_choice.h"
 #include "app/analyses/spherical/recorded_rows.h"
+#include "app/analyses/spherical/trajectory_plots.h"
 #include "control/base/units.h"
 #include "models/spherical/calibration_remainder.h"
 
@@ -89,6 +90,7 @@ Result<EstimatorSetup> setupOf(const AnalysisValues& values, const devices::Reco
     config.additive = models::additiveModelOf(choice->device, choice->placement);
     config.poses = static_cast<ComparedPoses>(choiceIndex(ComparedPosesNames, values.text("poses")));
     config.count = static_cast<int>(values.numberOr("count", config.count));
+    config.keepsPoses = file == nullptr && config.poses != ComparedPoses::Workspace;
     config.spin_rad = degreesToRadians(values.numberOr("spin_deg", 0.0));
     config.passes = static_cast<int>(values.numberOr("passes", 0.0));
     config.isStrengthFree = !values.isSet("known_strength");
@@ -160,7 +162,7 @@ Result<AnalysisOutcome> runEstimators(const AnalysisValues& values, const device
         return failure(setup.error());
     }
     const EstimatorComparisonConfig& config = setup->config;
-    const Result<EstimatorComparison> comparison = compareEstimators(config, control);
+    const Result<EstimatorComparison> comparison = compareEstimators(config, control, control.now_s);
     if (!comparison) {
         return failure(comparison.error());
     }
@@ -180,6 +182,9 @@ Result<AnalysisOutcome> runEstimators(const AnalysisValues& values, const device
     outcome.body.set("passes", config.passes);
     outcome.body.set("noise_T", config.rows ? config.sensing.deviation_T[0] : config.noise_T);
     outcome.body.set("failure_deg", radiansToDegrees(config.failureLimit_rad)).set("estimators", rows);
+    outcome.plots = trajectoryPlots(*comparison, config.device,
+                                    std::string(ComparedPosesNames[static_cast<std::size_t>(config.poses)]));
+    outcome.timing = timingText(*comparison);
     return outcome;
 }
 
@@ -193,7 +198,8 @@ Analysis estimatorAnalysis() {
             false,
             estimatorKeys(),
             runEstimators,
-            sensingDevice()};
+            sensingDevice(),
+            true};
 }
 
 } // namespace halbench::app

@@ -142,6 +142,18 @@ Result<void> supplyTruth(models::AnyEstimatorConfig settings, ComparedReadings& 
                : Result<void>();
 }
 
+/// What pictures are drawn of.
+std::vector<std::optional<Eigen::Matrix3d>> nearestImages(const Estimates& found,
+                                                          const std::vector<Eigen::Matrix3d>& truth) {
+    std::vector<std::optional<Eigen::Matrix3d>> images(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i]) {
+            images[i] = models::nearestImage(*found[i], truth[i]);
+        }
+    }
+    return images;
+}
+
 bool isWanted(const EstimatorComparisonConfig& config, std::size_t kind) {
     return !config.only || *config.only == static_cast<models::EstimatorKind>(kind);
 }
@@ -212,9 +224,15 @@ Result<EstimatorComparison> compareEstimators(const EstimatorComparisonConfig& c
                 row.timePerPose_s = (now_s() - start_s) / comparison.poses;
             }
             judge(found, work, config.failureLimit_rad, row);
+            if (config.keepsPoses) {
+                row.found = nearestImages(found, work.truth);
+            }
         }
         progress.finish(kind);
-        comparison.estimators.push_back(row);
+        comparison.estimators.push_back(std::move(row));
+    }
+    if (config.keepsPoses) {
+        comparison.truth = std::move(work.truth);
     }
     return comparison;
 }

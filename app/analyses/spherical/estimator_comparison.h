@@ -37,6 +37,7 @@ struct EstimatorComparisonConfig {
     std::shared_ptr<const RecordedRows> rows;
     double possibleLimit_ratio = 1.0;          ///< as models::OrientationConfig
     std::optional<models::EstimatorKind> only; ///< empty: all of them
+    bool keepsPoses = false;                   ///< for pictures of a few poses
 };
 
 /// One estimator on all poses, modulo the symmetry of the rotor.
@@ -47,6 +48,9 @@ struct ComparedEstimator {
     double shaftRms_rad = 0.0;
     int estimated = 0;                   ///< poses with an estimate, right or wrong
     std::optional<double> timePerPose_s; ///< with a clock only
+    /// Of the four orientations with the same field those nearest to the truth; empty where poses are not
+    /// kept.
+    std::vector<std::optional<Eigen::Matrix3d>> found;
 };
 
 struct EstimatorComparison {
@@ -55,6 +59,7 @@ struct EstimatorComparison {
     /// False: recorded rows without true angles, compared with the projector with a Gauss-Newton step.
     bool isAgainstTruth = true;
     std::vector<ComparedEstimator> estimators;
+    std::vector<Eigen::Matrix3d> truth; ///< empty where poses are not kept
 };
 
 /// A running time in seconds; empty: nothing is timed.

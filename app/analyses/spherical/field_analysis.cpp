@@ -148,7 +148,9 @@ Analysis fieldAnalysis() {
             RecordingUse::None,
             true,
             fieldKeys(),
-            runField};
+            runField,
+            {},
+            true};
 }
 
 } // namespace halbench::app

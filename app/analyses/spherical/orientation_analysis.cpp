@@ -452,7 +452,8 @@ Analysis orientationAnalysis() {
             true,
             orientationKeys(),
             runOrientation,
-            device};
+            device,
+            true};
 }
 
 } // namespace halbench::app

@@ -117,7 +117,31 @@ std::string summaryOf(const models::PlacementSearchConfig& config, const models:
     for (std::size_t i = 0; i < std::min(ShownRows, search.pareto.size()); ++i) {
         text += rowText(search.pareto[i]);
     }
-    return text;
+    return text + placementOrderText(config.device);
+}
+
+/// The Pareto set over the least reading, with the winner.
+AnalysisPlot plotOf(const models::PlacementSearch& search) {
+    AnalysisPlot plot{"Pareto set of the placements", {"least reading", "mT"}, {}};
+    const auto panel = [&search](const AnalysisScale& y, auto value) {
+        const auto curve = [&](const char* name, const std::vector<models::PlacementResult>& rows) {
+            AnalysisCurve points{name, {}, {}, true};
+            for (const models::PlacementResult& row : rows) {
+                if (row.conditioning > 0.0) { // the tensor can be told
+                    points.x.push_back(1e3 * row.least_T);
+                    points.y.push_back(value(row));
+                }
+            }
+            return points;
+        };
+        return AnalysisPanel{y, {curve("Pareto set", search.pareto), curve("best", {search.best})}};
+    };
+    plot.panels.push_back(
+        panel({"conditioning", ""}, [](const models::PlacementResult& row) { return row.conditioning; }));
+    plot.panels.push_back(panel({"predicted error", "deg"}, [](const models::PlacementResult& row) {
+        return radiansToDegrees(row.deviation_rad);
+    }));
+    return plot;
 }
 
 Result<AnalysisOutcome> runPlacement(const AnalysisValues& values, const devices::RecordedFile*,
@@ -143,6 +167,7 @@ Result<AnalysisOutcome> runPlacement(const AnalysisValues& values, const devices
     result.body.set("threshold_T", config->threshold_T).set("noise_T", config->noise_T);
     result.body.set("proof", proofJson(search->proof)).set("pareto", pareto).set("pairs", search->pairs);
     result.summary = summaryOf(*config, *search);
+    result.plots.push_back(plotOf(*search));
     return result;
 }
 
@@ -156,7 +181,8 @@ Analysis placementAnalysis() {
             false,
             searchKeys(),
             runPlacement,
-            sensingDevice()};
+            sensingDevice(),
+            true};
 }
 
 } // namespace halbench::app

@@ -1,5 +1,6 @@
 #include "app/analyses/spherical/placement_choice.h"
 
+#include "app/actuators/spherical/rotation_order.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
@@ -194,6 +195,20 @@ std::string anglesText(double alpha_rad, double beta_rad, double gamma_rad) {
         return std::round(1e3 * radiansToDegrees(angle_rad)) / 1e3 + 0.0;
     };
     return fmt::format("({:g}, {:g}, {:g})", rounded(alpha_rad), rounded(beta_rad), rounded(gamma_rad));
+}
+
+std::string placementText(const models::PlacementDevice& device, const models::SensorTriple& placement) {
+    std::vector<std::string> sensors;
+    for (const models::PlacementAngles& angles : placement) {
+        sensors.push_back(anglesText(angles.alpha_rad, angles.beta_rad, angles.gamma_rad));
+    }
+    return fmt::format("  sensors at {} deg\n", fmt::join(sensors, ", ")) + placementOrderText(device);
+}
+
+std::string placementOrderText(const models::PlacementDevice& device) {
+    return fmt::format("  sensors are placed ({}) by (alpha, beta, gamma): {}\n",
+                       models::SensorFrameNames[static_cast<std::size_t>(device.frames)],
+                       placementOrder(device.frames));
 }
 
 JsonValue placementJson(const models::PlacementDevice& device, const models::SensorTriple& placement) {

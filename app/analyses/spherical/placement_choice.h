@@ -49,6 +49,10 @@ std::size_t choiceIndex(const Names& names, const std::string& text) {
 
 /// {device, frames, radius_m, strength_T, sensors[] {alpha_deg, beta_deg, gamma_deg, theta_deg, phi_deg}}
 JsonValue placementJson(const models::PlacementDevice& device, const models::SensorTriple& placement);
+/// "  sensors at (0, 0, 0), (40, -25, -55), (40, 25, 55) deg", and the order of these rotations below.
+std::string placementText(const models::PlacementDevice& device, const models::SensorTriple& placement);
+/// The order alone, as a line.
+std::string placementOrderText(const models::PlacementDevice& device);
 /// {alpha_deg, beta_deg, gamma_deg}
 JsonValue anglesJson(double alpha_rad, double beta_rad, double gamma_rad);
 /// "(40, -25, -55)" in degrees, rounded to a thousandth

@@ -1,11 +1,13 @@
 #include "app/analyses/spherical/proof_json.h"
 
+#include "app/actuators/spherical/rotation_order.h"
 #include "app/analyses/spherical/placement_choice.h"
 #include "app/documents/text/numbers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace halbench::app {
 
@@ -47,6 +49,19 @@ JsonValue proofJson(const models::CoverageProof& proof) {
     return document.set("bound_T", proof.bound_T()).set("components", components);
 }
 
+int decimalsBelow(double reading_T, double limit_T) {
+    constexpr int Most = 6;
+    int decimals = 2;
+    const auto isHidden = [&] {
+        const double scale = std::pow(10.0, decimals);
+        return std::round(1e3 * reading_T * scale) >= std::round(1e3 * limit_T * scale);
+    };
+    while (decimals < Most && isHidden()) {
+        ++decimals;
+    }
+    return decimals;
+}
+
 std::string proofText(const models::CoverageProof& proof, double threshold_T) {
     std::string text;
     for (std::size_t i = 0; i < models::ComponentCount; ++i) {
@@ -60,8 +75,9 @@ std::string proofText(const models::CoverageProof& proof, double threshold_T) {
             break;
         case CoverageVerdict::Refuted:
             text += fmt::format(
-                "  {:<6} counterexample: no sensor reads {} mT at {} deg, the largest {:.4f} mT\n",
-                ComponentNames[i], formatNumber(1e3 * threshold_T), pose, 1e3 * part.least_T);
+                "  {:<6} counterexample: no sensor reads {} mT at {} deg, the largest {:.{}f} mT\n",
+                ComponentNames[i], formatNumber(1e3 * threshold_T), pose, 1e3 * part.least_T,
+                decimalsBelow(part.least_T, threshold_T));
             break;
         case CoverageVerdict::Open:
             text += fmt::format("  {:<6} open: between {:.4f} and {:.4f} mT, undecided after {} cells\n",
@@ -69,7 +85,7 @@ std::string proofText(const models::CoverageProof& proof, double threshold_T) {
             break;
         }
     }
-    return text;
+    return text + fmt::format("  poses are (alpha, beta, gamma): {}\n", orientationOrder());
 }
 
 } // namespace halbench::app

@@ -142,7 +142,8 @@ Analysis readingsAnalysis() {
             true,
             readingsKeys(),
             runReadings,
-            sensingDevice()};
+            sensingDevice(),
+            true};
 }
 
 } // namespace halbench::app

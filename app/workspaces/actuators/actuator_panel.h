@@ -22,13 +22,19 @@ struct ActuatorPanel {
     std::vector<std::string> parameters; ///< roles of the parameters that it needs
     std::function<QWidget*(Workbench&)> make;
     std::function<void(QWidget&, FileChooser)> setFileChooser = {}; ///< of its own panel, when it has files
+    std::vector<std::string> signalRoles = {};                      ///< of the signals that it needs
 };
 
-/// Whether a device has all parameters that the panel needs.
+/// Whether a device has all parameters and signals that the panel needs.
 inline bool isMadeFor(const ActuatorPanel& panel, const devices::Catalogue& catalogue) {
-    return std::all_of(panel.parameters.begin(), panel.parameters.end(), [&](const std::string& role) {
-        return catalogue.findParameter(parameterOfRole(catalogue, role)) != nullptr;
-    });
+    const bool hasSignals =
+        std::all_of(panel.signalRoles.begin(), panel.signalRoles.end(), [&](const std::string& role) {
+            return catalogue.findSignal(signalOfRole(catalogue, role)) != nullptr;
+        });
+    return hasSignals &&
+           std::all_of(panel.parameters.begin(), panel.parameters.end(), [&](const std::string& role) {
+               return catalogue.findParameter(parameterOfRole(catalogue, role)) != nullptr;
+           });
 }
 
 } // namespace halbench::app

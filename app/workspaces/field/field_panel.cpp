@@ -24,12 +24,12 @@ namespace {
 
 constexpr QSize PictureSize_px(1000, 700);
 
+} // namespace
+
 const widgets::ActuatorView* pictureOf(const devices::Catalogue& catalogue) {
     return widgets::actuatorViewFor(
         [&](const std::string& role) { return !catalogue.signalForRole(role).empty(); });
 }
-
-} // namespace
 
 bool hasPicture(const devices::Catalogue& catalogue) {
     return pictureOf(catalogue) != nullptr;

@@ -15,7 +15,8 @@ class QVBoxLayout;
 
 namespace halbench::app {
 
-/// Whether a row of the registry of views fits a device.
+/// The row of the registry of views that fits a device; nullptr when none does.
+const widgets::ActuatorView* pictureOf(const devices::Catalogue& catalogue);
 bool hasPicture(const devices::Catalogue& catalogue);
 
 /// Live picture of the connected actuator: the first row of the registry of views whose signals the device

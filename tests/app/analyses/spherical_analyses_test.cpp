@@ -1,6 +1,7 @@
 #include "app/analyses/registry/analyses.h"
 #include "app/analyses/spherical/estimator_comparison.h"
 #include "app/analyses/spherical/orientation_readings.h"
+#include "app/analyses/spherical/proof_json.h"
 #include "control/base/units.h"
 #include "models/spherical/orientation.h"
 #include "models/spherical/rotor_field.h"
@@ -291,6 +292,49 @@ TEST(CoverageAnalysisTest, findsTheCounterexampleOfThePublishedPlacement) {
     EXPECT_NEAR(number(theta, {"least_at", "beta_deg"}), 0.0, 1e-6);
 }
 
+// spherical-theory.md section 2: the order stands beside the angles of poses and of sensors.
+TEST(CoverageAnalysisTest, orderOfRotationsStandsBesideTheAngles) {
+    const auto coverage = run("coverage", {{"step_deg", "45"}, {"map_step_deg", "45"}, {"frames", "xyz"}});
+    ASSERT_TRUE(coverage) << coverage.error().message;
+    const char* poses = "poses are (alpha, beta, gamma): gamma about Z first, then beta about Y, then alpha";
+    EXPECT_THAT(coverage->summary, testing::HasSubstr(poses));
+    EXPECT_THAT(coverage->summary, testing::HasSubstr("sensors at (0, 0, 0), (0, 0, 45), (45, 45, -90) deg"));
+    EXPECT_THAT(coverage->summary, testing::HasSubstr("(xyz) by (alpha, beta, gamma): gamma about Z first"));
+    EXPECT_THAT(coverage->summary, testing::HasSubstr("the largest 0.00 mT")); // as "at least 10.48 mT"
+    const auto place = run("place", {{"step_deg", "45"}});
+    ASSERT_TRUE(place);
+    EXPECT_THAT(place->summary, testing::HasSubstr(poses));
+    EXPECT_THAT(place->summary, testing::HasSubstr("(zyx) by (alpha, beta, gamma): alpha about X first"));
+}
+
+// Section 6: at zero tilt no sensor reads Theta at a spin of -72.37 or 17.63 degrees; R and Phi are covered.
+TEST(CoverageAnalysisTest, pictureHasTheHolesOfTheSpin) {
+    const auto result = run("coverage", {{"step_deg", "45"}, {"map_step_deg", "9"}});
+    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_EQ(result->plots.size(), 1U);
+    const std::vector<AnalysisPanel>& panels = result->plots[0].panels;
+    ASSERT_EQ(panels.size(), 3U);
+    EXPECT_EQ(panels[1].limit, 10.0);
+    for (std::size_t component = 0; component < panels.size(); ++component) {
+        const AnalysisCurve& curve = panels[component].curves.front();
+        ASSERT_EQ(curve.x.size(), 180U);
+        const auto least = std::min_element(curve.y.begin(), curve.y.end());
+        EXPECT_EQ(*least < 10.0, component == 1) << component;
+        if (component == 1) {
+            const double at_deg = curve.x[static_cast<std::size_t>(least - curve.y.begin())];
+            EXPECT_NEAR(std::remainder(at_deg - 17.63, 90.0), 0.0, 1.0); // the next degree
+        }
+    }
+    EXPECT_EQ(panels[1].curves.back().name, "counterexample");
+}
+
+TEST(CoverageAnalysisTest, readingsHaveTheDecimalsThatTellThemFromTheLimit) {
+    EXPECT_EQ(decimalsBelow(0.0, 0.01), 2);
+    EXPECT_EQ(decimalsBelow(9.98e-3, 0.01), 2);
+    EXPECT_EQ(decimalsBelow(9.997e-3, 0.01), 3); // 10.00 with two
+    EXPECT_EQ(decimalsBelow(0.01, 0.01), 6);     // not below it
+}
+
 // Section 6: 0.0306 % of the 0.5-degree grid are 3568 poses; the 1-degree grid has an eighth of them, to the
 // extent that the border of a small hole allows.
 TEST(CoverageAnalysisTest, recommendedPlacementIsProven) {
@@ -320,6 +364,9 @@ TEST(PlacementAnalysisTest, winnerIsProvenAndOfThePareto) {
     ASSERT_TRUE(result) << result.error().message;
     EXPECT_LE(number(result->body, {"conditioning"}), 2.158); // of the published one, section 5.1
     EXPECT_FALSE(result->body.find("pareto")->items().empty());
+    ASSERT_EQ(result->plots.size(), 1U);
+    EXPECT_EQ(result->plots[0].panels[0].curves[1].y, // the winner
+              std::vector<double>{number(result->body, {"conditioning"})});
     EXPECT_GT(progress, 0.5);
 }
 

@@ -21,9 +21,9 @@ SampleBlock blockOf(const std::vector<std::string>& names, std::vector<double> t
     return block;
 }
 
-TEST(LiveMotionTest, keepsRowsWithFieldsAndTheLastOrientation) {
+TEST(LiveMotionTest, keepsRowsWithFieldsAndTheirLatestValues) {
     LiveMotion motion;
-    EXPECT_FALSE(motion.orientation());
+    EXPECT_FALSE(motion.latest("field.0.r"));
     motion.take(blockOf({"hall.a"}, {0.0}, {0.1}));
     EXPECT_EQ(motion.rows().rows(), 0U);
     const std::vector<std::string> names = {"field.0.r", "orientation.w", "orientation.x", "orientation.y",
@@ -33,8 +33,10 @@ TEST(LiveMotionTest, keepsRowsWithFieldsAndTheLastOrientation) {
     motion.take(blockOf(names, {1.0, 3.5}, {0.1, 1.0, 0.0, 0.0, 0.0, 0.1, half, 0.0, 0.0, half}));
     EXPECT_EQ(motion.rows().rows(), 2U);
     EXPECT_DOUBLE_EQ(motion.elapsed_s(), 2.5);
-    ASSERT_TRUE(motion.orientation());
-    EXPECT_NEAR((*motion.orientation())(1, 0), 1.0, 1e-12); // X goes to Y
+    EXPECT_EQ(motion.latest("orientation.z"), half);
+    EXPECT_FALSE(motion.latest("orientation.fresh")); // no such column
+    motion.take(blockOf(names, {4.0}, {0.1, std::nan(""), 0.0, 0.0, 0.0}));
+    EXPECT_FALSE(motion.latest("orientation.w")); // the board determined none
 }
 
 } // namespace

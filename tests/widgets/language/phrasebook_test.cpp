@@ -33,6 +33,8 @@ private:
         {"remove the cause, then release the stop", "Ursache finden"},
         {", the device clock is fast by {} +- {} ppm", ", Uhr: {} +- {}"},
         {"off", "aus"},
+        {"orientations that are missing most: {} ({})", "Es fehlen: {} ({})"},
+        {"alpha {}, beta {}, gamma {} deg", "alpha {}, beta {}, gamma {} Grad"},
     };
 };
 
@@ -55,6 +57,15 @@ protected:
 
 TEST_F(PhrasebookTest, saysAPhraseInTheUsersLanguage) {
     EXPECT_EQ(said("the board stopped"), "gestoppt");
+}
+
+TEST_F(PhrasebookTest, saysEveryTextOfAListThatIsFilledIn) {
+    EXPECT_EQ(said("orientations that are missing most: alpha 1, beta 2, gamma 3 deg; alpha 4, beta 5, gamma "
+                   "6 deg (the board stopped)"),
+              "Es fehlen: alpha 1, beta 2, gamma 3 Grad; alpha 4, beta 5, gamma 6 Grad (gestoppt)");
+    EXPECT_EQ(said("orientations that are missing most: alpha 1, beta 2, gamma 3 deg; another (the board "
+                   "stopped)"),
+              "Es fehlen: alpha 1, beta 2, gamma 3°; another (gestoppt)");
 }
 
 TEST_F(PhrasebookTest, fillsInNumbersWithTheSignOfTheLanguage) {

@@ -113,17 +113,16 @@ void SpherePicture::countImages(const Eigen::Matrix3d& rotation) {
 }
 
 void SpherePicture::describe(const ActuatorValues& values, const Eigen::Matrix3d& rotation) {
-    const auto degrees = [&](const char* role) {
-        const std::optional<double> angle = values.signal(role);
-        return fixedText(angle ? std::optional(radiansToDegrees(*angle)) : std::nullopt, 2);
-    };
+    const models::OrientationAngles angles = models::anglesOf(rotation);
+    const std::optional<double> cone_rad = values.signal("shaft.cone95");
     m_numbers =
         tr("α %1°, β %2°, γ %3° (γ about Z first, then β about Y, then α about X)")
-            .arg(degrees("orientation.alpha"), degrees("orientation.beta"), degrees("orientation.gamma"));
-    m_numbers +=
-        QLatin1Char('\n') + tr("q %1 mT, chi-square %2, 95 % cone ±%3°")
-                                .arg(fixedText(1e3 * values.signal("strength").value_or(0.0), 2),
-                                     fixedText(values.signal("chi_square"), 1), degrees("shaft.cone95"));
+            .arg(degreesText(angles.alpha_rad), degreesText(angles.beta_rad), degreesText(angles.gamma_rad));
+    m_numbers += QLatin1Char('\n') +
+                 tr("q %1 mT, chi-square %2, 95 % cone ±%3°")
+                     .arg(fixedText(1e3 * values.signal("strength").value_or(0.0), 2),
+                          fixedText(values.signal("chi_square"), 1),
+                          fixedText(cone_rad ? std::optional(radiansToDegrees(*cone_rad)) : std::nullopt, 2));
     if (m_imageChanges > 0) {
         m_numbers += QLatin1Char('\n') +
                      tr("changes to another orientation with the same field: %1").arg(m_imageChanges);
@@ -157,6 +156,17 @@ void SpherePicture::clear() {
     m_imageChanges = 0;
 }
 
+void SpherePicture::showWanted(const std::vector<WantedShaft>& shafts) {
+    std::vector<SphereWanted> wanted;
+    for (const WantedShaft& shaft : shafts) {
+        const double s = std::sin(shaft.theta_rad);
+        wanted.push_back(
+            {{s * std::cos(shaft.phi_rad), s * std::sin(shaft.phi_rad), std::cos(shaft.theta_rad)},
+             shaft.share});
+    }
+    m_view->setWanted(std::move(wanted));
+}
+
 ActuatorPicture::Drawing SpherePicture::drawing() const {
     return [this](QPainter& painter, const Theme& theme, const QSizeF& size) {
         m_view->draw(painter, theme, size);
@@ -166,9 +176,8 @@ ActuatorPicture::Drawing SpherePicture::drawing() const {
 ActuatorView sphereActuatorView() {
     ActuatorView view{"spherical",
                       {"orientation.w", "orientation.x", "orientation.y", "orientation.z"},
-                      {"orientation.alpha", "orientation.beta", "orientation.gamma", "orientation.fresh",
-                       "shaft.cone95", "integrity", "chi_square", "strength", "truth.alpha", "truth.beta",
-                       "truth.gamma"},
+                      {"orientation.fresh", "shaft.cone95", "integrity", "chi_square", "strength",
+                       "truth.alpha", "truth.beta", "truth.gamma"},
                       [](QWidget* parent) { return new SpherePicture(parent); }};
     for (std::size_t channel = 0; channel < 9; ++channel) {
         view.wished.push_back(fieldRole(channel));

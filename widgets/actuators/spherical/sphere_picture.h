@@ -20,6 +20,7 @@ public:
     void showSamples(const ActuatorValues& values) override;
     void setStale(bool isStale) override;
     void clear() override;
+    void showWanted(const std::vector<WantedShaft>& shafts) override;
     QString numbers() const override { return m_numbers; }
     Drawing drawing() const override;
 

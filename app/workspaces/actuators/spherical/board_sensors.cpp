@@ -1,8 +1,11 @@
 #include "app/workspaces/actuators/spherical/board_sensors.h"
 
+#include "app/actuators/spherical/rotation_order.h"
 #include "app/workbench/drive_ability.h"
 #include "control/base/units.h"
 #include "widgets/language/display_units.h"
+#include "widgets/language/greek_angles.h"
+#include "widgets/language/phrasebook.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -57,9 +60,18 @@ QString sensorsInWords(const SensingBoard& board) {
                       .arg(degrees(angles.alpha_rad), degrees(angles.beta_rad), degrees(angles.gamma_rad));
     }
     return QCoreApplication::translate("halbench::app::EstimatorPanel",
-                                       "Sensors at %1, %2 mm from the centre; q %3 mT")
+                                       "Sensors at %1 (%4), %2 mm from the centre; q %3 mT")
         .arg(places.join(QStringLiteral(", ")), widgets::numberText(1e3 * meanRadius_m(board), 4),
-             widgets::numberText(1e3 * board.calibration.field.strength_T, 4));
+             widgets::numberText(1e3 * board.calibration.field.strength_T, 4),
+             placementOrderInWords(board.frames));
+}
+
+QString orientationOrderInWords() {
+    return widgets::greekAngles(widgets::inWords(orientationOrder()));
+}
+
+QString placementOrderInWords(models::SensorFrames frames) {
+    return widgets::greekAngles(widgets::inWords(placementOrder(frames)));
 }
 
 } // namespace halbench::app

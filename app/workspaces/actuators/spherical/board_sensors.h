@@ -15,7 +15,11 @@ SensingBoard boardSensors(Workbench& bench);
 /// that the board knows, the noise.
 models::SphericalSensing sensingOf(const SensingBoard& board);
 
-/// "(0, 0, 0)°, (0, 0, 45)°, (45, 45, −90)° at 50 mm; q 99.19 mT"
+/// "Sensors at (0, 0, 0)°, (0, 0, 45)°, (45, 45, −90)° (α about X first, ...), 50 mm ...; q 99.19 mT"
 QString sensorsInWords(const SensingBoard& board);
+
+/// Order of the rotations of an orientation, and of the placement of a sensor.
+QString orientationOrderInWords();
+QString placementOrderInWords(models::SensorFrames frames);
 
 } // namespace halbench::app

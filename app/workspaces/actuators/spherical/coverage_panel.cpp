@@ -1,5 +1,6 @@
 #include "app/workspaces/actuators/spherical/coverage_panel.h"
 
+#include "app/analyses/spherical/proof_json.h"
 #include "app/workspaces/actuators/spherical/board_sensors.h"
 #include "app/workspaces/actuators/spherical/placement_editor.h"
 #include "app/workspaces/parts/field_grid.h"
@@ -323,6 +324,7 @@ void CoveragePanel::askWorkspace() {
     if (!hasDevice()) {
         m_assessing.cancel();
         m_sensors->showUncovered({});
+        m_placement.reset();
         m_figures->setText({});
         return;
     }
@@ -340,12 +342,26 @@ void CoveragePanel::takeWorkspace(const Result<CoverageOfWorkspace>& workspace) 
         return;
     }
     m_sensors->showUncovered(workspace->uncovered);
-    const models::PlacementResult& figures = workspace->figures;
+    m_placement = workspace->figures;
+    showFigures();
+}
+
+/// The least reading of the lattice, or that of a counterexample, which the proof finds between its poses.
+void CoveragePanel::showFigures() {
+    if (!m_placement) {
+        return;
+    }
+    double least_T = m_placement->least_T;
+    for (const Counterexample& one :
+         m_judgement ? m_judgement->counterexamples : std::vector<Counterexample>()) {
+        least_T = std::min(least_T, one.largest_T);
+    }
+    const double conditioning = m_placement->conditioning;
     m_figures->setText(
         tr("Least reading %1 mT, conditioning %2, predicted error %3° rms")
-            .arg(widgets::fixedText(1e3 * figures.least_T, 2),
-                 figures.conditioning > 0.0 ? widgets::fixedText(figures.conditioning, 3) : tr("none"),
-                 widgets::fixedText(radiansToDegrees(figures.deviation_rad), 4)));
+            .arg(widgets::fixedText(1e3 * least_T, decimalsBelow(least_T, m_threshold->value() / 1e3)),
+                 conditioning > 0.0 ? widgets::fixedText(conditioning, 3) : tr("none"),
+                 widgets::fixedText(radiansToDegrees(m_placement->deviation_rad), 4)));
 }
 
 /// The rotor stands in the pose that is read from the map; else in the middle of it.
@@ -389,6 +405,7 @@ void CoveragePanel::takeJudgement(const Result<CoverageJudgement>& judgement) {
         m_problem = widgets::inWords(judgement.error().message);
     }
     markCounterexample();
+    showFigures();
     showWords();
 }
 
@@ -436,7 +453,11 @@ void CoveragePanel::showWords() {
         words << tr("Not covered: (%1, %2, %3)°, where %4 is at most %5 mT.")
                      .arg(number(0), number(1), number(2),
                           QString::fromUtf8(Components[static_cast<std::size_t>(one.component)]),
-                          widgets::fixedText(1e3 * one.largest_T, 3));
+                          widgets::fixedText(1e3 * one.largest_T,
+                                             decimalsBelow(one.largest_T, m_threshold->value() / 1e3)));
+    }
+    if (hasDevice()) {
+        words << tr("Poses are (α, β, γ): %1.").arg(orientationOrderInWords());
     }
     m_verdict->setText(words.join(QLatin1Char(' ')));
 }

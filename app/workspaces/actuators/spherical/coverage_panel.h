@@ -54,6 +54,7 @@ private:
     void takeSlice(const CoverageSliceConfig& config, const Result<SliceOfCoverage>& slice);
     void takeJudgement(const Result<CoverageJudgement>& judgement);
     void takeWorkspace(const Result<CoverageOfWorkspace>& workspace);
+    void showFigures();
     void showPose();
     void goToCounterexample();
     void markCounterexample();
@@ -85,7 +86,8 @@ private:
     FileChooser m_chooser;
     FileQueue m_files;
     std::optional<CoverageJudgement> m_judgement;
-    QString m_problem; ///< of the last computation or file
+    std::optional<models::PlacementResult> m_placement; ///< figures of the sensors shown
+    QString m_problem;                                  ///< of the last computation or file
     std::size_t m_uncovered = 0;
     std::size_t m_poses = 0;
     std::shared_ptr<std::atomic<bool>> m_isStopped; ///< the proof that runs

@@ -2,6 +2,7 @@
 
 #include "app/workbench/played_recording.h"
 #include "app/workspaces/actuators/spherical/board_sensors.h"
+#include "app/workspaces/actuators/spherical/live_field_rows.h"
 #include "app/workspaces/parts/compact_table.h"
 #include "app/workspaces/parts/field_grid.h"
 #include "control/base/units.h"
@@ -34,6 +35,10 @@ constexpr int GridColumns = 4;
 constexpr int Tick_ms = 100;
 constexpr double Digits = 3.0;
 constexpr int TimeDecimals = 2;
+/// Choices of poses after those that are made.
+constexpr int LiveRows = static_cast<int>(ComparedPosesNames.size());
+constexpr int RowsOfRecording = LiveRows + 1;
+constexpr double LiveLength_s = 10.0;
 enum Column { Name, Rms, Worst, Shaft, Failures, Time, Columns };
 
 /// In the order of EstimatorKind.
@@ -102,14 +107,14 @@ EstimatorPanel::~EstimatorPanel() {
 
 void EstimatorPanel::buildFields(QBoxLayout& column) {
     auto* grid = new FieldGrid(GridColumns, this);
-    m_poses =
-        grid->addBox(tr("Poses"), tr("Poses on which the estimators are compared"),
-                     {tr("Random"), tr("Trajectory 1: tilt at Φ = 0°"), tr("Trajectory 2: tilt at Φ = 90°"),
-                      tr("Trajectory 3: around at Θ = 45°"), tr("Trajectory 4: spiral")});
+    m_poses = grid->addBox(tr("Poses"), tr("Poses on which the estimators are compared"),
+                           {tr("Random"), tr("Trajectory 1: tilt at Φ = 0°"),
+                            tr("Trajectory 2: tilt at Φ = 90°"), tr("Trajectory 3: around at Θ = 45°"),
+                            tr("Trajectory 4: spiral"), tr("Rows of the last 10 seconds")});
     m_device = grid->addBox(tr("Readings from"), tr("Model that makes the readings of the sensors"),
                             {tr("Physical field"), tr("Additive model")});
     m_count = grid->addNumber({tr("Number of poses"),
-                               tr("Random poses in the workspace, or rows chosen evenly of a recording"),
+                               tr("Random poses in the workspace, or rows, chosen evenly"),
                                {},
                                0,
                                10.0,
@@ -135,7 +140,10 @@ void EstimatorPanel::buildFields(QBoxLayout& column) {
         {tr("Seed"), tr("Equal seeds give equal poses and noise"), {}, 0, 0.0, 4294967295.0, 1.0});
     m_seed->setQuantity(1.0);
     connect(m_noise, &widgets::QuantityEdit::edited, this, [this] { m_isNoiseOfBoard = false; });
-    connect(m_poses, qOverload<int>(&QComboBox::currentIndexChanged), this, &EstimatorPanel::refresh);
+    connect(m_poses, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+        want();
+        refresh();
+    });
     column.addWidget(grid);
     m_compare =
         makeButton({tr("Co&mpare estimators"), tr("Estimate all poses with each of them (Alt+M)"), {}}, this);
@@ -188,6 +196,7 @@ void EstimatorPanel::onDevice() {
     }
     m_words->setText(words);
     askRecording();
+    want();
     refresh();
 }
 
@@ -214,7 +223,6 @@ void EstimatorPanel::askRecording() {
 void EstimatorPanel::takeRecording(std::shared_ptr<const devices::RecordedFile> file) {
     const bool isThere = file != nullptr && hasFieldReadings(file->recording);
     m_recording = isThere ? std::move(file) : nullptr;
-    constexpr int RowsOfRecording = static_cast<int>(ComparedPosesNames.size());
     if (!isThere && m_poses->count() > RowsOfRecording) {
         m_poses->removeItem(RowsOfRecording);
     }
@@ -226,11 +234,40 @@ void EstimatorPanel::takeRecording(std::shared_ptr<const devices::RecordedFile> 
 }
 
 bool EstimatorPanel::isOfRecording() const {
-    return m_recording != nullptr && m_poses->currentIndex() == static_cast<int>(ComparedPosesNames.size());
+    return m_recording != nullptr && m_poses->currentIndex() == RowsOfRecording;
+}
+
+bool EstimatorPanel::isOfLiveRows() const {
+    return m_poses->currentIndex() == LiveRows;
+}
+
+/// Those that came last, or all of the recording; none where poses are made.
+std::shared_ptr<const devices::RecordedFile> EstimatorPanel::rows() const {
+    if (!isOfLiveRows()) {
+        return isOfRecording() ? m_recording : nullptr;
+    }
+    return std::make_shared<const devices::RecordedFile>(liveFieldRows(m_bench, LiveLength_s));
+}
+
+/// Streamed only while somebody looks and asks for them.
+void EstimatorPanel::want() {
+    const bool isWanted = isVisible() && hasDevice() && isOfLiveRows();
+    m_bench.liveSignals().want(this, isWanted ? liveFieldSignals(m_bench.session().catalogue())
+                                              : std::vector<std::string>());
+}
+
+void EstimatorPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    want();
+}
+
+void EstimatorPanel::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    want();
 }
 
 ComparedPoses EstimatorPanel::poses() const {
-    return isOfRecording() ? ComparedPoses::Workspace : static_cast<ComparedPoses>(m_poses->currentIndex());
+    return isOfRows() ? ComparedPoses::Workspace : static_cast<ComparedPoses>(m_poses->currentIndex());
 }
 
 EstimatorComparisonConfig EstimatorPanel::config() const {
@@ -249,7 +286,7 @@ EstimatorComparisonConfig EstimatorPanel::config() const {
     config.noise_T = m_noise->value() / 1e6;
     config.failureLimit_rad = degreesToRadians(m_failure->value());
     config.seed = static_cast<std::uint64_t>(m_seed->value());
-    if (isOfRecording()) {
+    if (isOfRows()) {
         config.sensing.deviation_T = models::SphericalReadings::Constant(config.noise_T);
         config.possibleLimit_ratio = rowsLimit_ratio(board, config.noise_T);
     }
@@ -258,11 +295,15 @@ EstimatorComparisonConfig EstimatorPanel::config() const {
 
 /// What the thread computes.
 std::function<Result<EstimatorComparison>()> EstimatorPanel::comparison() const {
-    return [config = config(), running = m_progress, now_s = m_now_s,
-            file = isOfRecording() ? m_recording : nullptr,
+    return [config = config(), running = m_progress, now_s = m_now_s, file = rows(),
+            origin = m_bench.session().info().uri,
             board = boardSensors(m_bench)]() mutable -> Result<EstimatorComparison> {
+        if (file != nullptr && file->recording.rows() == 0) {
+            return failure(ErrorCode::Refused, "No row with all nine readings has come yet.",
+                           "Wait a second, then compare again.");
+        }
         if (file != nullptr) {
-            Result<RecordedRows> rows = recordedRows(*file, file->meta.device.uri, board, config.count);
+            Result<RecordedRows> rows = recordedRows(*file, origin, board, config.count);
             if (!rows) {
                 return failure(rows.error());
             }
@@ -326,7 +367,7 @@ void EstimatorPanel::showNote(const EstimatorComparison* comparison) {
     const QString errors =
         comparison == nullptr || comparison->isAgainstTruth
             ? tr("Errors are measured to the nearest of the four orientations with the same field.")
-            : tr("The recording has no true angles (truth.alpha, truth.beta, truth.gamma): errors are "
+            : tr("The rows have no true angles (truth.alpha, truth.beta, truth.gamma): errors are "
                  "differences from the projector with a Gauss-Newton step.");
     m_note->setText(errors + QLatin1Char(' ') + time);
 }
@@ -362,7 +403,7 @@ void EstimatorPanel::refresh() {
     m_running->setVisible(m_progress != nullptr);
     m_compare->setVisible(m_progress == nullptr);
     m_compare->setEnabled(hasDevice());
-    const bool isMade = !isOfRecording();
+    const bool isMade = !isOfRows();
     m_device->setEnabled(isMade);
     m_count->setEnabled(poses() == ComparedPoses::Workspace);
     m_spin->setEnabled(poses() != ComparedPoses::Workspace);

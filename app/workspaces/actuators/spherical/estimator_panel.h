@@ -24,15 +24,18 @@ class QuantityEdit;
 
 namespace halbench::app {
 
-/// Compares all orientation estimators on the same poses, random, of a published trajectory or those of a
-/// recording, for the sensors of the connected device or of the recording that is played
-/// (resources/help/monitor.md, "Estimators"). Computes on a thread of its
-/// own. Thread: GUI.
+/// Compares all orientation estimators on the same poses, random, of a published trajectory, the rows that
+/// came last or those of a recording, for the sensors of the connected device or of the recording that is
+/// played (resources/help/monitor.md, "Estimators"). Computes on a thread of its own. Thread: GUI.
 class EstimatorPanel : public QWidget {
     Q_OBJECT
 public:
     EstimatorPanel(Workbench& bench, StopWatch now_s, QWidget* parent = nullptr);
     ~EstimatorPanel() override;
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     /// Of the thread that computes.
@@ -48,6 +51,10 @@ private:
     void takeRecording(std::shared_ptr<const devices::RecordedFile> file);
     ComparedPoses poses() const;
     bool isOfRecording() const;
+    bool isOfLiveRows() const;
+    bool isOfRows() const { return isOfRecording() || isOfLiveRows(); }
+    std::shared_ptr<const devices::RecordedFile> rows() const;
+    void want();
     EstimatorComparisonConfig config() const;
     std::function<Result<EstimatorComparison>()> comparison() const;
     void start();

@@ -1,5 +1,6 @@
 #include "app/workspaces/actuators/spherical/placement_editor.h"
 
+#include "app/workspaces/actuators/spherical/board_sensors.h"
 #include "app/workspaces/parts/field_grid.h"
 #include "control/base/units.h"
 #include "models/spherical/orientation.h"
@@ -7,6 +8,7 @@
 #include "widgets/controls/quantity_edit.h"
 
 #include <QComboBox>
+#include <QLabel>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -58,6 +60,9 @@ void PlacementEditor::buildAngles(QBoxLayout& column) {
         connect(m_angles[i], &widgets::QuantityEdit::edited, this, &PlacementEditor::takeAngles);
     }
     column.addWidget(grid);
+    m_order = makeNote(this);
+    m_order->setAccessibleName(tr("Order of the rotations"));
+    column.addWidget(m_order);
 }
 
 void PlacementEditor::setBoard(const SensingBoard& board) {
@@ -146,6 +151,7 @@ void PlacementEditor::showAngles() {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         m_angles[i]->setQuantity(radiansToDegrees(*parts[i]));
     }
+    m_order->setText(placementOrderInWords(m_board.frames));
 }
 
 void PlacementEditor::showPose(const models::OrientationAngles& angles,

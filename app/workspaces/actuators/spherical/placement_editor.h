@@ -10,6 +10,7 @@
 
 class QBoxLayout;
 class QComboBox;
+class QLabel;
 
 namespace halbench::widgets {
 class PlacementView;
@@ -60,6 +61,7 @@ private:
     widgets::PlacementView* m_view = nullptr;
     QComboBox* m_sensor = nullptr;
     std::array<widgets::QuantityEdit*, 3> m_angles{};
+    QLabel* m_order = nullptr; ///< of the rotations by them
 };
 
 } // namespace halbench::app

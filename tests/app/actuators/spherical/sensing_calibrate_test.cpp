@@ -1,4 +1,5 @@
 #include "app/actuators/motion_needs.h"
+#include "app/actuators/spherical/rotation_order.h"
 #include "app/actuators/spherical/sensing_board.h"
 #include "app/actuators/spherical/sensing_calibrate.h"
 #include "app/actuators/spherical/sensing_contradictions.h"
@@ -218,7 +219,9 @@ TEST(SensingNeeds, fallFromAllDirectionsToNone) {
     // A spin about one axis: tilted directions add more than the upright one.
     const MotionNeeds some = needsOf(recordedMotion(0.0, {}, 0.1), {});
     EXPECT_FALSE(some.isEnough);
-    EXPECT_FALSE(some.missing.empty());
+    ASSERT_EQ(some.missing.size(), 2U);
+    EXPECT_THAT(some.missing.front(), testing::StartsWith("alpha "));
+    EXPECT_EQ(some.order, orientationOrder());
     double least = 1.0;
     double most = 0.0;
     for (const ShaftNeed& need : some.shafts) {

@@ -64,7 +64,8 @@ constexpr PanelPlace Places[] = {{"devices", "monitor.md", "Devices"},
                                  {"monitor3", "monitor.md", "Further monitors"},
                                  {"notes", "projects.md", ""},
                                  {"coverage", "monitor.md", "Coverage"},
-                                 {"estimators", "monitor.md", "Estimators"}};
+                                 {"estimators", "monitor.md", "Estimators"},
+                                 {"angle_error", "monitor.md", "Angle error"}};
 
 TEST_F(HelpWindowTest, everyPanelsHelpIsTheSameSectionInEveryLanguage) {
     for (const Language& language : languages()) {

@@ -42,9 +42,12 @@ protected:
 // resources/help/spherical-theory.md section 6: (0, 0, 17.63 degrees), and 90 degrees less.
 TEST_F(CoveragePanelTest, namesTheCounterexampleAndGoesThere) {
     connectTo("sim:spherical?imperfections=off", 5.0);
-    ASSERT_TRUE(says("Not covered: (0, 0, 17.63)°, where Θ is at most 0.000 mT"));
+    ASSERT_TRUE(says("Not covered: (0, 0, 17.63)°, where Θ is at most 0.00 mT"));
     EXPECT_TRUE(says("(0, 0, -72.37)°"));
     EXPECT_TRUE(says("0 of 8281 poses of this slice"));
+    EXPECT_TRUE(says("Poses are (α, β, γ): γ about Z first, then β about Y, then α about X."));
+    // The lattice of poses alone has 0.02 mT: beside a pose that reads nothing it would not be the least.
+    EXPECT_TRUE(wait([&] { return words("Figures of the placement").startsWith("Least reading 0.00 mT,"); }));
     click(*panel, "Go to counterexample");
     EXPECT_EQ(slider().value(), 1763);
     ASSERT_TRUE(wait([&] { return slice().marked.has_value(); }));
@@ -107,6 +110,9 @@ TEST_F(CoveragePanelTest, recommendedPlacementIsTriedAndTheBoardStaysAsItIs) {
     EXPECT_NEAR(least_mT, 40.8, 0.05); // printed to 0.1 mT
     EXPECT_TRUE(
         words("Sensors of the map").startsWith("On trial, not on the board. Sensors at (0, 0, 0)°, (40, "));
+    const QString order = "α about X first, then β about Y, then γ about Z";
+    EXPECT_TRUE(words("Sensors of the map").contains("(" + order + ")"));
+    EXPECT_EQ(words("Order of the rotations"), order);
     EXPECT_EQ(bench().deviceValue("sensor.alpha_1"), 0.0);
     click(*panel, "Board's placement");
     EXPECT_TRUE(says("Not covered: (0, 0, 17.63)°"));

@@ -3,6 +3,7 @@
 #include "app/workspaces/actuators/registry/actuator_panels.h"
 #include "app/workspaces/actuators/spherical/board_sensors.h"
 #include "app/workspaces/actuators/spherical/estimator_panel.h"
+#include "app/workspaces/actuators/spherical/live_field_rows.h"
 #include "control/base/units.h"
 #include "devices/formats/convert_recording.h"
 #include "devices/open/open_device.h"
@@ -152,6 +153,25 @@ TEST_F(EstimatorPanelTest, comparesOnTheRowsOfARecording) {
     EXPECT_TRUE(hasNote("nearest of the four orientations"));
     connectTo("sim:spherical", 5.0);
     EXPECT_TRUE(wait([&] { return poses.findText("Rows of the recording") < 0; }));
+}
+
+// The rows that the Monitor shows now, with noise and truth of the simulation: errors as above.
+TEST_F(EstimatorPanelTest, comparesOnTheRowsThatCameLast) {
+    connectTo("sim:spherical?imperfections=off&noise_uT=100&motion=5", 5.0);
+    QComboBox& poses = *find<QComboBox>(*panel, "Poses");
+    poses.setCurrentIndex(poses.findText("Rows of the last 10 seconds"));
+    EXPECT_FALSE(find<QComboBox>(*panel, "Readings from")->isEnabled());
+    compare(); // before the first row
+    EXPECT_TRUE(panel->findChild<widgets::MessageBar*>()->message().text.contains("No row"));
+    ASSERT_TRUE(wait([&] { return liveFieldRows(bench(), 10.0).recording.rows() > 3000; }));
+    field("Failure above").setQuantity(1.0);
+    field("Number of poses").setQuantity(600.0);
+    compare();
+    ASSERT_EQ(table().rowCount(), 7);
+    EXPECT_NEAR(number(2, Rms), 0.032, 0.004);
+    EXPECT_EQ(cell(2, Failures), "0 of 600");
+    EXPECT_NEAR(number(2, Time), 1e6 / 600.0, 5.0); // a second of the test's clock
+    EXPECT_TRUE(hasNote("nearest of the four orientations"));
 }
 
 TEST_F(EstimatorPanelTest, withoutTrueAnglesItComparesWithOneEstimator) {
