@@ -252,7 +252,7 @@ void refuse(CalibrateResult& result, const Error& error, const SensedMotion& mot
         const auto missing = missingOrientations(board.calibration, *excitation, config, ListedOrientations);
         note(result, Verdict::Refused, "orientations_missing",
              fmt::format("orientations that are missing most: {}", orientationsText(missing)),
-             "Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address.");
+             "Move the rotor there too. A simulated rotor moves with motion=tumble or motion=walk in its address.");
     }
 }
 
