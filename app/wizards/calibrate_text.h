@@ -18,7 +18,7 @@ QString calibrationOutlook(const CalibrateConfig& config, const DisplayUnits& un
 
 /// The same for a device whose rotor is moved by hand.
 QString handMotionOutlook(const CalibrateConfig& config);
-/// What the motion so far lacks; `missing`: orientations, most wanted first, by angles in this `order`.
+/// Orientations that a motion made by hand lacks so far: `missing`, most wanted first, by angles in `order`.
 QString handMotionNeeds(bool isEnough, const std::vector<std::string>& missing, const std::string& order);
 /// The same of a device with several axes.
 QString axesCalibrationOutlook(const CalibratePrediction& prediction);
