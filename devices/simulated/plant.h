@@ -20,6 +20,9 @@ public:
     virtual void advance(int subSteps) = 0;
     /// Signals of what no board can measure; their values are those of the last read() or drive().
     virtual hb_signal_table truth() const = 0;
+    /// Parameters that a host changes while it runs, e.g. where a prescribed motion goes; read by the next
+    /// advance().
+    virtual hb_parameter_table settings() { return {}; }
 };
 
 /// The controller's code of an actuator, as it runs on a real board.

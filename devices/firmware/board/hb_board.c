@@ -23,6 +23,7 @@ static void describe(hb_board* board, const hb_board_memory* memory, const hb_bo
     description->signals[0].base = memory->signals;
 #if HB_FEATURE_FULL
     description->signals[1] = config->extra;
+    description->extra = config->extra_parameters;
 #endif
     description->parameters = actuator->parameters;
     description->parameter_count = actuator->parameter_count;

@@ -123,6 +123,7 @@ typedef struct {
     const char* transport_a2l; /* A2L block of the line the board is served on; NULL: HB_A2L_TRANSPORT */
     uint16_t max_dto;          /* longest measurement packet that line carries; 0: HB_MAX_DTO */
     hb_signal_table extra;     /* further signals of the caller, e.g. the simulated truth; count 0: none */
+    hb_parameter_table extra_parameters; /* likewise, e.g. what a simulated rotor is told to do */
 #endif
     /* Stores a page in non-volatile memory: one of hb_store. NULL: SET_REQUEST is answered with an error. */
     uint8_t (*store)(void* context, const void* page);

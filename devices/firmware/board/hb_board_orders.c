@@ -3,6 +3,17 @@
 
 #include <string.h>
 
+/* A further parameter of the caller's, which nothing on the board depends on. */
+static uint8_t isForeign(const hb_board* board, uint16_t parameter) {
+#if HB_FEATURE_FULL
+    return parameter >= board->xcp.description.parameter_count;
+#else
+    (void)board;
+    (void)parameter;
+    return 0;
+#endif
+}
+
 /* Offset of a live parameter, HB_NO_LIVE for one that is paged. */
 static uint16_t liveOffset(const hb_board* board, uint16_t parameter) {
     hb_parameter numbers;
@@ -19,8 +30,13 @@ static uint16_t boardOffset(const hb_board* board, uint16_t live_offset) {
 /* What holds for every actuator beyond the limits in the tables. */
 static uint8_t checkParameter(void* context, uint16_t parameter, float value) {
     const hb_board* board = (const hb_board*)context;
-    uint16_t live = liveOffset(board, parameter);
-    uint16_t offset = boardOffset(board, live);
+    uint16_t live;
+    uint16_t offset;
+    if (isForeign(board, parameter)) {
+        return HB_OK;
+    }
+    live = liveOffset(board, parameter);
+    offset = boardOffset(board, live);
     if (offset == offsetof(hb_board_live, arm) && value > 0.5F && hb_safety_latch(&board->safety)) {
         return HB_ERR_ACCESS_DENIED;
     }
@@ -135,8 +151,13 @@ static void readCapture(void* context, hb_address offset, uint8_t* destination, 
 /* Live parameters act here, in the receive path; paged ones at the next control cycle. */
 static void parameterWritten(void* context, uint16_t parameter) {
     hb_board* board = (hb_board*)context;
-    uint16_t live = liveOffset(board, parameter);
-    uint16_t offset = boardOffset(board, live);
+    uint16_t live;
+    uint16_t offset;
+    if (isForeign(board, parameter)) {
+        return;
+    }
+    live = liveOffset(board, parameter);
+    offset = boardOffset(board, live);
     if (offset == offsetof(hb_board_live, arm)) {
         if (board->live->arm) {
             hb_board_arm(board);

@@ -288,6 +288,8 @@ static uint32_t addressOf(const hb_parameter* parameter) {
         return HB_ADDRESS_SEGMENT + parameter->entry.offset;
     case HB_LIVE:
         return HB_ADDRESS_LIVE + parameter->entry.offset;
+    case HB_EXTRA:
+        return HB_ADDRESS_EXTRA + parameter->entry.offset;
     default:
         return parameter->entry.offset;
     }
@@ -338,8 +340,8 @@ static enum item_end putItem(writer* out, uint16_t item, hb_extent row) {
         putSignal(out, &table->entries[index]);
         return ITEM_ENDED;
     }
-    if (index < description->parameter_count) {
-        return putParameter(out, &description->parameters[index], row) ? ITEM_HAS_MORE : ITEM_ENDED;
+    if (index < hb_xcp_parameter_count(description)) {
+        return putParameter(out, hb_xcp_parameter(description, index), row) ? ITEM_HAS_MORE : ITEM_ENDED;
     }
     putText(out, Tail);
     return ITEM_LAST;

@@ -87,8 +87,8 @@ static uint32_t hashTables(const hb_xcp_description* description) {
             hash = hashSignal(hash, &description->signals[table].entries[i]);
         }
     }
-    for (uint16_t i = 0; i < description->parameter_count; i++) {
-        hash = hashParameter(hash, &description->parameters[i]);
+    for (uint16_t i = 0; i < hb_xcp_parameter_count(description); i++) {
+        hash = hashParameter(hash, hb_xcp_parameter(description, i));
     }
     return hash;
 }

@@ -47,7 +47,8 @@ typedef struct {
 enum hb_space {
     HB_PAGED, /* on the two calibration pages, segment 0: changes as a set, in one control cycle */
     HB_LIVE,  /* plain variable: a write acts at once */
-    HB_BLOCK  /* read-only block of float at address extension 2 */
+    HB_BLOCK, /* read-only block of float at address extension 2 */
+    HB_EXTRA  /* plain variable of a hb_parameter_table */
 };
 
 #if HB_FEATURE_CAPTURE
@@ -70,6 +71,15 @@ typedef struct {
 #endif
     hb_extent rows;
 } hb_parameter;
+
+/* Further plain variables, all of them HB_EXTRA, in memory that holds their values from the start; `octets`
+ * of it. */
+typedef struct {
+    const hb_parameter* entries;
+    void* base;
+    uint16_t count;
+    uint16_t octets;
+} hb_parameter_table;
 
 typedef struct {
     char name[12];

@@ -42,10 +42,11 @@ enum hb_xcp_event_code {
     HB_EV_USER = 0xFE
 };
 
-/* Address map: extension 0, 8*i = signal i; 0x8000 + offset = live parameter; 0x10000 + offset = segment 0
- * through the XCP page; extension 1 = A2L text; 2 = block (capture data); 3 = names, for GET_ID and event
- * names. */
+/* Address map: extension 0, 8*i = signal i; 0x8000 + offset = live parameter; 0xC000 + offset = further
+ * parameter of the caller; 0x10000 + offset = segment 0 through the XCP page; extension 1 = A2L text; 2 =
+ * block (capture data); 3 = names, for GET_ID and event names. */
 #define HB_ADDRESS_LIVE ((uint32_t)0x8000)
+#define HB_ADDRESS_EXTRA ((uint32_t)0xC000)
 #define HB_ADDRESS_SEGMENT ((uint32_t)0x10000)
 enum hb_xcp_extension {
     HB_EXT_VALUES = 0,
@@ -59,8 +60,8 @@ enum hb_xcp_extension {
 /* HB_STORE_BEGUN: hb_xcp_stored() will follow. */
 enum hb_store { HB_STORE_REFUSED, HB_STORE_DONE, HB_STORE_BEGUN };
 
-/* What the board tells the slave. Every hook may be NULL. `parameter` is the index into the parameter table.
- */
+/* What the board tells the slave. Every hook may be NULL. `parameter` is the index into the parameter table,
+ * and behind its end into the further parameters. */
 typedef struct {
     /* Before a value is taken: HB_OK or the error to answer. `value` is already within the limits. */
     uint8_t (*check)(void* board, uint16_t parameter, float value);
@@ -89,6 +90,7 @@ typedef struct {
 #if HB_FEATURE_FULL            /* a small board knows its line when it is compiled */
     const char* transport_a2l; /* A2L block of the line this board is served on; NULL: HB_A2L_TRANSPORT */
     uint16_t max_dto;          /* longest measurement packet that line carries; 0: HB_MAX_DTO */
+    hb_parameter_table extra;  /* further parameters; may be empty */
 #endif
     hb_xcp_hooks hooks;
     void* board;

@@ -42,6 +42,24 @@ static inline uint16_t hb_xcp_max_dto(const hb_xcp_description* description) {
     return HB_MAX_DTO;
 }
 
+/* The parameters of the board, then the further ones. */
+static inline uint16_t hb_xcp_parameter_count(const hb_xcp_description* description) {
+#if HB_FEATURE_FULL
+    return (uint16_t)(description->parameter_count + description->extra.count);
+#else
+    return description->parameter_count;
+#endif
+}
+
+static inline const hb_parameter* hb_xcp_parameter(const hb_xcp_description* description, uint16_t index) {
+#if HB_FEATURE_FULL
+    if (index >= description->parameter_count) {
+        return &description->extra.entries[index - description->parameter_count];
+    }
+#endif
+    return &description->parameters[index];
+}
+
 /* Response of `length` octets whose first is the packet identifier. */
 void hb_xcp_send(hb_xcp* slave, const uint8_t* packet, hb_length length);
 /* slave->response for HB_OK, else the error. */

@@ -77,17 +77,38 @@ static uint8_t readSignals(const hb_xcp* slave, uint8_t* destination, uint8_t co
     return HB_OK;
 }
 
-/* Variables of the live or paged space behind the MTA; NULL if not `count` octets are inside. */
+/* Which variables a value address means. */
+static uint8_t spaceAt(const hb_xcp* slave) {
+    if (slave->mta_extension == HB_EXT_SEGMENT) {
+        return HB_PAGED;
+    }
+#if HB_FEATURE_FULL
+    if (slave->mta_address >= HB_ADDRESS_EXTRA) {
+        return HB_EXTRA;
+    }
+#endif
+    return HB_LIVE;
+}
+
+/* Variables of the space behind the MTA; NULL if not `count` octets are inside. */
 static uint8_t* variablesAt(const hb_xcp* slave, uint8_t count, uint16_t* offset) {
     const hb_xcp_description* description = &slave->description;
     uint16_t octets = description->page_octets;
     uint8_t* base = description->pages[slave->xcp_page];
     hb_address inside = slave->mta_address;
-    if (slave->mta_extension == HB_EXT_VALUES) {
+    uint8_t space = spaceAt(slave);
+    if (space == HB_LIVE) {
         octets = description->live_octets;
         base = description->live;
         inside = (hb_address)(inside - HB_ADDRESS_LIVE);
     }
+#if HB_FEATURE_FULL
+    else if (space == HB_EXTRA) {
+        octets = description->extra.octets;
+        base = (uint8_t*)description->extra.base;
+        inside = (hb_address)(inside - HB_ADDRESS_EXTRA);
+    }
+#endif
     if (inside > octets || octets - inside < count) {
         return NULL;
     }
@@ -240,7 +261,7 @@ static uint8_t stepOne(const hb_xcp* slave, uint16_t index, const hb_entry* entr
 static uint8_t forEachWritten(hb_xcp* slave, const write_request* request, enum write_step step) {
     for (uint16_t i = request->first; i < request->behind; i++) {
         hb_parameter parameter;
-        hb_parameter_read(&slave->description.parameters[i], &parameter);
+        hb_parameter_read(hb_xcp_parameter(&slave->description, i), &parameter);
         for (; parameter.rows > 0 && parameter.space == request->space; parameter.rows--) {
             uint16_t behind = (uint16_t)(parameter.entry.offset + hb_type_size(parameter.entry.type));
             if (parameter.entry.offset < request->end && request->offset < behind) {
@@ -257,11 +278,11 @@ static uint8_t forEachWritten(hb_xcp* slave, const write_request* request, enum 
 
 /* Narrows the request to the entries it touches: what follows may have to be quick. */
 static void findEntries(const hb_xcp_description* description, write_request* request) {
-    request->first = description->parameter_count;
+    request->first = hb_xcp_parameter_count(description);
     request->behind = 0;
-    for (uint16_t i = 0; i < description->parameter_count; i++) {
+    for (uint16_t i = 0; i < hb_xcp_parameter_count(description); i++) {
         hb_parameter parameter;
-        hb_parameter_read(&description->parameters[i], &parameter);
+        hb_parameter_read(hb_xcp_parameter(description, i), &parameter);
         if (parameter.space == request->space && parameter.entry.offset < request->end &&
             request->offset < parameter.entry.offset + hb_type_size(parameter.entry.type) * parameter.rows) {
             request->first = request->first < i ? request->first : i;
@@ -280,8 +301,8 @@ static uint8_t writeVariables(hb_xcp* slave, const uint8_t* source, uint8_t coun
     request.octets = &slave->response[1]; /* nothing is answered from there */
     memcpy(request.octets, source, count);
     request.end = (uint16_t)(request.offset + count);
-    request.space = slave->mta_extension == HB_EXT_SEGMENT ? HB_PAGED : HB_LIVE;
-    request.acts_now = request.space == HB_LIVE || slave->xcp_page == slave->active_page ||
+    request.space = spaceAt(slave);
+    request.acts_now = request.space != HB_PAGED || slave->xcp_page == slave->active_page ||
                        slave->xcp_page == slave->next_page;
     findEntries(&slave->description, &request);
     result = forEachWritten(slave, &request, STEP_CHECK);

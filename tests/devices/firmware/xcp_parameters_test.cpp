@@ -98,6 +98,39 @@ TEST(XcpParameters, clampsFiniteValuesToTheirLimits) {
     EXPECT_EQ(f.board().live.board.mode, HB_MODE_D_AXIS);
 }
 
+// What belongs to nobody on the board, e.g. to the world that a simulation makes around it.
+TEST(XcpParameters, servesTheCallersOwnParameters) {
+    struct World {
+        float pull_N = 2.0F;
+        std::uint8_t season = 1;
+        std::uint8_t hidden = 77;
+    } world;
+    const hb_parameter table[] = {
+        HB_PARAM(HB_EXTRA, "world.pull", "N", HB_FLOAT32, World, pull_N, 0.0F, -5.0F, 5.0F, nullptr, "Pull"),
+        HB_PARAM(HB_EXTRA, "world.season", "", HB_UBYTE, World, season, 0.0F, 0.0F, 3.0F, nullptr, "Season")};
+    constexpr std::uint32_t Extra = 0xC000;
+    hb_htm_config config{};
+    config.extra_parameters = {table, &world, 2, offsetof(World, hidden)};
+    BoardFixture f(&config);
+    f.connect();
+    EXPECT_EQ(world.pull_N, 2.0F); // the caller's value, not the table's
+    EXPECT_EQ(f.write(Extra, f.octetsOf(-3.0F)), Accepted);
+    EXPECT_EQ(world.pull_N, -3.0F);
+    EXPECT_EQ(f.write(Extra, f.octetsOf(9.0F)), Accepted);
+    EXPECT_EQ(world.pull_N, 5.0F);
+    EXPECT_EQ(f.write(Extra, f.octetsOf(std::numeric_limits<float>::quiet_NaN())), refused(0x22));
+    EXPECT_EQ(f.write(Extra + 4, {200}), Accepted);
+    EXPECT_EQ(world.season, 3);
+    EXPECT_EQ(f.write(Extra + 5, {1}), refused(0x22));
+    EXPECT_EQ(f.read(Extra + 4, 2), refused(0x22));
+    EXPECT_EQ(world.hidden, 77);
+    EXPECT_EQ(f.read(Extra + 4, 1).back(), 3);
+    BoardFixture without;
+    without.connect();
+    EXPECT_EQ(without.write(Extra, {1}), refused(0x22));
+    EXPECT_EQ(without.read(Extra, 1), refused(0x22));
+}
+
 TEST(XcpParameters, protectsSignalsAndEverythingOutsideTheTables) {
     BoardFixture f;
     f.connect();
