@@ -3675,10 +3675,6 @@
         <translation>es gibt kein Signal '{}'</translation>
     </message>
     <message>
-        <source>Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address.</source>
-        <translation>Bewegen Sie den Rotor auch dorthin. Ein simulierter Rotor bewegt sich mit motion=5 oder motion=6 in seiner Adresse.</translation>
-    </message>
-    <message>
         <source>Switch the coil off, or change its current in the record.</source>
         <translation>Schalten Sie die Spule aus, oder ändern Sie ihren Strom während der Aufzeichnung.</translation>
     </message>
@@ -9903,14 +9899,6 @@
         <translation>Anordnung von Sensor {} um {}</translation>
     </message>
     <message>
-        <source>channel R of sensor {}: 0 none, 1 dead, 2 stuck</source>
-        <translation>Kanal R von Sensor {}: 0 fehlerfrei, 1 tot, 2 eingefroren</translation>
-    </message>
-    <message>
-        <source>channel {} of sensor {}, likewise</source>
-        <translation>Kanal {} von Sensor {}, ebenso</translation>
-    </message>
-    <message>
         <source>outer radius of the rotor</source>
         <translation>Außenradius des Rotors</translation>
     </message>
@@ -9939,20 +9927,8 @@
         <translation>azimutaler Koeffizient</translation>
     </message>
     <message>
-        <source>device model: 0 exact, 1 additive angles as published</source>
-        <translation>Gerätemodell: 0 exakt, 1 additive Winkel wie veröffentlicht</translation>
-    </message>
-    <message>
         <source>distance of the sensors from the centre</source>
         <translation>Abstand der Sensoren vom Mittelpunkt</translation>
-    </message>
-    <message>
-        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
-        <translation>Sensorachsen: 0 zyx, 1 xyz, 2 ohne Rollen</translation>
-    </message>
-    <message>
-        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
-        <translation>weitere Harmonische: 0 keine, 1 wie Finite Elemente, 2 Belastung</translation>
     </message>
     <message>
         <source>harmonic ({}) at 50 mm instead of the preset&apos;s</source>
@@ -9973,10 +9949,6 @@
     <message>
         <source>noise of a reading, rms</source>
         <translation>Rauschen eines Messwerts, Effektivwert</translation>
-    </message>
-    <message>
-        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
-        <translation>Wandler: 0 12 Bit 300 mT, 1 400 mT, 2 98 µT bis 130 mT, 3 100 mT</translation>
     </message>
     <message>
         <source>uniform stray field along {}</source>
@@ -10025,10 +9997,6 @@
     <message>
         <source>spread of the drawn temperature errors, 1 sigma</source>
         <translation>Streuung der gezogenen Temperaturfehler, 1 sigma</translation>
-    </message>
-    <message>
-        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
-        <translation>0 Sollwert, 1 bis 4 veröffentlichte Bahn, 5 Taumeln, 6 Irrfahrt</translation>
     </message>
     <message>
         <source>start, rotation about {}</source>
@@ -10585,6 +10553,74 @@
     <message>
         <source>Wait a second, then compare again.</source>
         <translation>Eine Sekunde warten, dann erneut vergleichen.</translation>
+    </message>
+    <message>
+        <source>fault of channel {} of sensor {}</source>
+        <translation>Fehler des Kanals {} von Sensor {}</translation>
+    </message>
+    <message>
+        <source>device model: exact, or additive angles as published</source>
+        <translation>Gerätemodell: exakt (exact) oder additive Winkel wie veröffentlicht (paper)</translation>
+    </message>
+    <message>
+        <source>how placement angles turn a sensor; nat is unrolled</source>
+        <translation>wie Platzierungswinkel einen Sensor drehen; nat ohne Rollen</translation>
+    </message>
+    <message>
+        <source>further harmonics: h1 as finite elements, h2 stress</source>
+        <translation>weitere Harmonische: h1 wie Finite Elemente, h2 Belastung</translation>
+    </message>
+    <message>
+        <source>range of the converter: 12 bit, 130mT in steps of 98 uT</source>
+        <translation>Messbereich des Wandlers: 12 Bit, 130mT in Schritten von 98 µT</translation>
+    </message>
+    <message>
+        <source>motion of the rotor; published1 to published4 are trajectories</source>
+        <translation>Bewegung des Rotors; published1 bis published4 sind Bahnen</translation>
+    </message>
+    <message>
+        <source>Allowed: {}.</source>
+        <translation>Erlaubt: {}.</translation>
+    </message>
+    <message>
+        <source>Allowed: {} to {}{}{}. Known keys: {}.</source>
+        <translation>Erlaubt: {} bis {}{}{}. Bekannte Schlüssel: {}.</translation>
+    </message>
+    <message>
+        <source>noise of a usual part: noise_uT is 0, 25, 100 or 1000 uT</source>
+        <translation>Rauschen eines üblichen Bauteils: noise_uT ist 0, 25, 100 oder 1000 µT</translation>
+    </message>
+    <message>
+        <source>Set-point of the rotation about X; ends another motion</source>
+        <translation>Sollwert der Drehung um X; beendet eine andere Bewegung</translation>
+    </message>
+    <message>
+        <source>Set-point of the rotation about Y; ends another motion</source>
+        <translation>Sollwert der Drehung um Y; beendet eine andere Bewegung</translation>
+    </message>
+    <message>
+        <source>Set-point of the rotation about Z; ends another motion</source>
+        <translation>Sollwert der Drehung um Z; beendet eine andere Bewegung</translation>
+    </message>
+    <message>
+        <source>Fault of this channel, of a simulation only</source>
+        <translation>Fehler dieses Kanals, nur in der Simulation</translation>
+    </message>
+    <message>
+        <source>Largest rate towards the set-point</source>
+        <translation>Höchste Drehgeschwindigkeit zum Sollwert</translation>
+    </message>
+    <message>
+        <source>Current that the simulation drives through the coil</source>
+        <translation>Strom, den die Simulation durch die Spule treibt</translation>
+    </message>
+    <message>
+        <source>simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Move the rotor there too. A simulated rotor moves with motion=tumble or motion=walk in its address.</source>
+        <translation>Bewegen Sie den Rotor auch dorthin. Ein simulierter Rotor bewegt sich mit motion=tumble oder motion=walk in seiner Adresse.</translation>
     </message>
 </context>
 <context>

@@ -3675,10 +3675,6 @@
         <translation>没有信号 '{}'</translation>
     </message>
     <message>
-        <source>Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address.</source>
-        <translation>请把转子也转到这些姿态。模拟转子在地址中加 motion=5 或 motion=6 即可运动。</translation>
-    </message>
-    <message>
         <source>Switch the coil off, or change its current in the record.</source>
         <translation>请关闭线圈，或在记录中改变其电流。</translation>
     </message>
@@ -9903,14 +9899,6 @@
         <translation>传感器 {} 绕 {} 的布置</translation>
     </message>
     <message>
-        <source>channel R of sensor {}: 0 none, 1 dead, 2 stuck</source>
-        <translation>传感器 {} 的 R 通道：0 正常，1 无信号，2 卡死</translation>
-    </message>
-    <message>
-        <source>channel {} of sensor {}, likewise</source>
-        <translation>{} 通道，传感器 {}，同上</translation>
-    </message>
-    <message>
         <source>outer radius of the rotor</source>
         <translation>转子外半径</translation>
     </message>
@@ -9939,20 +9927,8 @@
         <translation>方位系数</translation>
     </message>
     <message>
-        <source>device model: 0 exact, 1 additive angles as published</source>
-        <translation>器件模型：0 精确，1 按文献的角度相加</translation>
-    </message>
-    <message>
         <source>distance of the sensors from the centre</source>
         <translation>传感器到中心的距离</translation>
-    </message>
-    <message>
-        <source>sensor frames: 0 zyx, 1 xyz, 2 unrolled</source>
-        <translation>传感器坐标系：0 zyx，1 xyz，2 无滚转</translation>
-    </message>
-    <message>
-        <source>further harmonics: 0 none, 1 as finite elements, 2 stress</source>
-        <translation>附加谐波：0 无，1 按有限元，2 强化</translation>
     </message>
     <message>
         <source>harmonic ({}) at 50 mm instead of the preset&apos;s</source>
@@ -9973,10 +9949,6 @@
     <message>
         <source>noise of a reading, rms</source>
         <translation>读数噪声，有效值</translation>
-    </message>
-    <message>
-        <source>converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT</source>
-        <translation>转换器：0 12 位 300 mT，1 400 mT，2 98 µT 至 130 mT，3 100 mT</translation>
     </message>
     <message>
         <source>uniform stray field along {}</source>
@@ -10025,10 +9997,6 @@
     <message>
         <source>spread of the drawn temperature errors, 1 sigma</source>
         <translation>随机温度误差的离散，1 sigma</translation>
-    </message>
-    <message>
-        <source>0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk</source>
-        <translation>0 设定值，1 至 4 文献轨迹，5 翻滚，6 随机游走</translation>
     </message>
     <message>
         <source>start, rotation about {}</source>
@@ -10585,6 +10553,74 @@
     <message>
         <source>Wait a second, then compare again.</source>
         <translation>请等待一秒，然后再次比较。</translation>
+    </message>
+    <message>
+        <source>fault of channel {} of sensor {}</source>
+        <translation>{} 通道故障，传感器 {}</translation>
+    </message>
+    <message>
+        <source>device model: exact, or additive angles as published</source>
+        <translation>器件模型：精确（exact），或按文献的角度相加（paper）</translation>
+    </message>
+    <message>
+        <source>how placement angles turn a sensor; nat is unrolled</source>
+        <translation>放置角如何转动传感器；nat 无滚转</translation>
+    </message>
+    <message>
+        <source>further harmonics: h1 as finite elements, h2 stress</source>
+        <translation>附加谐波：h1 按有限元，h2 强化</translation>
+    </message>
+    <message>
+        <source>range of the converter: 12 bit, 130mT in steps of 98 uT</source>
+        <translation>转换器量程：12 位，130mT 步长 98 µT</translation>
+    </message>
+    <message>
+        <source>motion of the rotor; published1 to published4 are trajectories</source>
+        <translation>转子运动；published1 至 published4 为轨迹</translation>
+    </message>
+    <message>
+        <source>Allowed: {}.</source>
+        <translation>允许：{}。</translation>
+    </message>
+    <message>
+        <source>Allowed: {} to {}{}{}. Known keys: {}.</source>
+        <translation>允许：{} 到 {}{}{}。已知的键：{}。</translation>
+    </message>
+    <message>
+        <source>noise of a usual part: noise_uT is 0, 25, 100 or 1000 uT</source>
+        <translation>常见器件的噪声：noise_uT 为 0、25、100 或 1000 µT</translation>
+    </message>
+    <message>
+        <source>Set-point of the rotation about X; ends another motion</source>
+        <translation>绕 X 转动的设定值；结束其他运动</translation>
+    </message>
+    <message>
+        <source>Set-point of the rotation about Y; ends another motion</source>
+        <translation>绕 Y 转动的设定值；结束其他运动</translation>
+    </message>
+    <message>
+        <source>Set-point of the rotation about Z; ends another motion</source>
+        <translation>绕 Z 转动的设定值；结束其他运动</translation>
+    </message>
+    <message>
+        <source>Fault of this channel, of a simulation only</source>
+        <translation>该通道的故障，仅用于模拟</translation>
+    </message>
+    <message>
+        <source>Largest rate towards the set-point</source>
+        <translation>转向设定值的最大转速</translation>
+    </message>
+    <message>
+        <source>Current that the simulation drives through the coil</source>
+        <translation>模拟中通过线圈的电流</translation>
+    </message>
+    <message>
+        <source>simulation</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Move the rotor there too. A simulated rotor moves with motion=tumble or motion=walk in its address.</source>
+        <translation>请把转子也转到这些姿态。模拟转子在地址中加 motion=tumble 或 motion=walk 即可运动。</translation>
     </message>
 </context>
 <context>

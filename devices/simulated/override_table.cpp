@@ -1,9 +1,11 @@
 #include "devices/simulated/override_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <system_error>
 
 namespace halbench::devices {
@@ -34,6 +36,25 @@ Result<double> parseOverride(const std::string& key, const std::string& text, co
                        "Write numbers like 2e-3. " + keys);
     }
     return value;
+}
+
+Result<double> parseOverrideWord(const std::string& key, const std::string& text,
+                                 const std::vector<std::string>& words) {
+    const std::string hint = fmt::format("Allowed: {}.", fmt::join(words, ", "));
+    const auto word = std::find(words.begin(), words.end(), text);
+    if (word != words.end()) {
+        return static_cast<double>(word - words.begin());
+    }
+    const Result<double> index = parseOverride(key, text, hint);
+    if (!index) {
+        return failure(index.error().code, fmt::format("{}={} is unknown", key, text), hint);
+    }
+    const bool isIndex =
+        *index == std::floor(*index) && *index >= 0.0 && *index < static_cast<double>(words.size());
+    if (!isIndex) {
+        return failure(ErrorCode::OutOfRange, fmt::format("{}={} is unknown", key, text), hint);
+    }
+    return index;
 }
 
 Result<bool> parseOverrideChoice(const Overrides& overrides, const std::string& key, const char* usual,

@@ -5,28 +5,43 @@
 
 #include <fmt/format.h>
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace halbench::devices {
 
 /// The value of a key as a number. Errors: OutOfRange, InvalidInput; `keys` stand in the hint.
 Result<double> parseOverride(const std::string& key, const std::string& text, const std::string& keys);
 
+/// The index of one of the words of a key, written as the word or the index. Errors: OutOfRange,
+/// InvalidInput; the words stand in the hint.
+Result<double> parseOverrideWord(const std::string& key, const std::string& text,
+                                 const std::vector<std::string>& words);
+
 /// One of two words; true for the second. Errors: InvalidInput.
 Result<bool> parseOverrideChoice(const Overrides& overrides, const std::string& key, const char* usual,
                                  const char* other, const std::string& keys);
+
+/// The words of a key that is a choice among them; empty for a number.
+using OverrideWords = std::vector<std::string> (*)(std::string_view key);
 
 /// `seed`, `imperfections` and `chain`, which every device takes.
 std::vector<OverrideSpec> commonOverrideSpecs();
 
 /// Those and the keys of one device. `specs` have key, unit, min, max and meaning; `standardOf` gives the
-/// value of a key where nothing is written, nothing where the seed draws it.
+/// value of a key where nothing is written, nothing where the seed draws it; `wordsOf`, if given, the words
+/// of a choice.
 template <typename Specs, typename StandardOf>
-std::vector<OverrideSpec> overrideSpecs(const Specs& specs, StandardOf standardOf) {
+std::vector<OverrideSpec> overrideSpecs(const Specs& specs, StandardOf standardOf,
+                                        OverrideWords wordsOf = nullptr) {
     std::vector<OverrideSpec> all = commonOverrideSpecs();
     for (const auto& spec : specs) {
         all.push_back({std::string(spec.key), std::string(spec.unit), spec.min, spec.max,
                        standardOf(spec.key), std::string(spec.meaning)});
+        if (wordsOf != nullptr) {
+            all.back().choices = wordsOf(spec.key);
+        }
     }
     return all;
 }
@@ -41,6 +56,7 @@ struct OverrideTable {
     Result<void> (*set)(Parameters& parameters, std::string_view key, double value);
     Parameters (*withoutImperfections)(Parameters parameters);
     Parameters (*withIdealChain)(Parameters parameters);
+    OverrideWords words = nullptr; ///< none: every key is a number
 };
 
 /// Parameters with the overrides in force. Written values win over the sets, in any order; `seed` belongs to
@@ -67,7 +83,10 @@ Result<Parameters> withOverrides(const OverrideTable<Parameters>& table, const O
             return failure(ErrorCode::UnknownName, fmt::format("{} has no override '{}'", table.address, key),
                            hint);
         }
-        const Result<double> value = parseOverride(key, text, hint);
+        const std::vector<std::string> words =
+            table.words != nullptr ? table.words(key) : std::vector<std::string>();
+        const Result<double> value =
+            words.empty() ? parseOverride(key, text, hint) : parseOverrideWord(key, text, words);
         if (!value) {
             return failure(value.error());
         }

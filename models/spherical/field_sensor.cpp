@@ -22,6 +22,11 @@ double converted_T(const FieldConverter& converter, double field_T) {
     return converter.step_T * std::clamp(code, lowestCode(converter), highestCode(converter));
 }
 
+/// The end of the range on the side of the field. Without a converter there is no end: infinite.
+double rangeEnd_T(const FieldConverter& converter, double field_T) {
+    return converted_T(converter, std::copysign(HUGE_VAL, field_T));
+}
+
 } // namespace
 
 FieldConverter converterPreset(ConverterPreset preset) {
@@ -79,9 +84,11 @@ FieldSample sampleFieldSensor(const FieldSensorConfig& config, FieldSensorState&
             value_T = 0.0;
         } else if (config.fault[i] == ChannelFault::Stuck && state.hasValue) {
             value_T = state.held_T[row];
+        } else if (config.fault[i] == ChannelFault::Clipped) {
+            value_T = rangeEnd_T(config.converter, seen_T[row]);
         }
         sample.value_T[row] = value_T;
-        sample.isClipped[i] = isAtRangeEnd(config.converter, value_T);
+        sample.isClipped[i] = std::isinf(value_T) || isAtRangeEnd(config.converter, value_T);
     }
     state.held_T = sample.value_T;
     state.hasValue = true;

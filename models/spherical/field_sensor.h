@@ -24,10 +24,11 @@ FieldConverter converterPreset(ConverterPreset preset);
 /// Health of one channel.
 enum class ChannelFault {
     None,
-    Dead,  ///< reads zero field
-    Stuck, ///< keeps its first value
+    Dead,    ///< reads zero field
+    Stuck,   ///< keeps its first value
+    Clipped, ///< reads the end of its range on the side of the field; no number without a converter
 };
-inline constexpr std::array<std::string_view, 3> ChannelFaultNames = {"none", "dead", "stuck"};
+inline constexpr std::array<std::string_view, 4> ChannelFaultNames = {"none", "dead", "stuck", "clipped"};
 
 /// Errors of one sensor in its own axes (R, Theta, Phi):
 ///   seen = (I + cross) diag(gain) axes^T B + offset + noise,   then the converter.

@@ -145,6 +145,13 @@ Eigen::Matrix3d RotorMotion::walked(double step_s) {
     return next(2, 2) >= std::min(std::cos(m_config.tilt_rad), m_rotation(2, 2)) ? next : m_rotation;
 }
 
+void RotorMotion::turnTo(const OrientationAngles& target, double rate_rad_s) {
+    HB_ASSERT(rate_rad_s > 0.0);
+    m_config.kind = MotionKind::SetPoint;
+    m_config.rate_rad_s = rate_rad_s;
+    m_target = rotationOf(target);
+}
+
 void RotorMotion::advance(double step_s) {
     const Eigen::Matrix3d before = m_rotation;
     m_time_s += step_s;

@@ -63,7 +63,8 @@ public:
     /// Mean over the last step, stator frame.
     const Eigen::Vector3d& rate_rad_s() const { return m_rate_rad_s; }
     double time_s() const { return m_time_s; }
-    void setTarget(const OrientationAngles& target) { m_target = rotationOf(target); }
+    /// From now on, whatever the motion was: towards the target, at most at the rate (positive).
+    void turnTo(const OrientationAngles& target, double rate_rad_s);
     void advance(double step_s);
 
 private:

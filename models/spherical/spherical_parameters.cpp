@@ -4,6 +4,7 @@
 #include "control/base/units.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +19,22 @@ constexpr double Milli = 1e-3;
 constexpr double Micro = 1e-6;
 constexpr double Degree = Pi / 180.0;
 
+constexpr std::string_view FaultWords = "none|dead|stuck|clipped";
+constexpr std::string_view NoiseKey = "noise";
+
+double lastIndex(std::string_view words) {
+    return static_cast<double>(std::count(words.begin(), words.end(), '|'));
+}
+
 // A value that every specimen shares, a choice among words, an error drawn unless it is written down.
 #define HB_SHARED(key, unit, min, max, toSi, provenance, meaning, member)                                    \
     Spec {                                                                                                   \
         key, unit, min, max, toSi, provenance, meaning, [](P& p) -> double& { return p.member; }             \
     }
-#define HB_CHOICE(key, last, meaning, member)                                                                \
+#define HB_CHOICE(key, words, meaning, member)                                                               \
     Spec {                                                                                                   \
-        key, "", 0.0, last, 1.0, 'A', meaning, [](P& p) -> double& { return p.member; }, nullptr, true       \
+        key, "", 0.0, lastIndex(words), 1.0, 'A', meaning, [](P& p) -> double& { return p.member; },         \
+            nullptr, true, words                                                                             \
     }
 #define HB_DRAWN(key, unit, limit, toSi, meaning, member)                                                    \
     Spec {                                                                                                   \
@@ -51,10 +60,10 @@ constexpr double Degree = Pi / 180.0;
                   "placement of sensor " n " about Z", placement[i].gamma_rad),                              \
         HB_ERROR(n, i, "r", 0), HB_ERROR(n, i, "theta", 1), HB_ERROR(n, i, "phi", 2),                        \
         HB_MOUNT(n, i, "x", 0), HB_MOUNT(n, i, "y", 1), HB_MOUNT(n, i, "z", 2),                              \
-        HB_CHOICE("s" n "_fault_r", 2.0, "channel R of sensor " n ": 0 none, 1 dead, 2 stuck",               \
-                  fault[3 * i]),                                                                             \
-        HB_CHOICE("s" n "_fault_theta", 2.0, "channel Theta of sensor " n ", likewise", fault[3 * i + 1]),   \
-        HB_CHOICE("s" n "_fault_phi", 2.0, "channel Phi of sensor " n ", likewise", fault[3 * i + 2])
+        HB_CHOICE("s" n "_fault_r", FaultWords, "fault of channel R of sensor " n, fault[3 * i]),            \
+        HB_CHOICE("s" n "_fault_theta", FaultWords, "fault of channel Theta of sensor " n,                   \
+                  fault[3 * i + 1]),                                                                         \
+        HB_CHOICE("s" n "_fault_phi", FaultWords, "fault of channel Phi of sensor " n, fault[3 * i + 2])
 
 const std::array Specs = {
     HB_SHARED("R0_mm", "mm", 5.0, 500.0, Milli, 'S', "outer radius of the rotor", magnet.outerRadius_m),
@@ -66,11 +75,11 @@ const std::array Specs = {
     HB_SHARED("mu_m", "", 1.0, 1e4, 1.0, 'D', "relative permeability of the core",
               magnet.corePermeability_ratio),
     HB_SHARED("a2", "", 0.1, 10.0, 1.0, 'S', "azimuthal coefficient", magnet.azimuthalCoefficient),
-    HB_CHOICE("device", 1.0, "device model: 0 exact, 1 additive angles as published", device),
+    HB_CHOICE("device", "exact|paper", "device model: exact, or additive angles as published", device),
     HB_SHARED("r_mm", "mm", 5.0, 500.0, Milli, 'S', "distance of the sensors from the centre",
               sensorRadius_m),
-    HB_CHOICE("frames", 2.0, "sensor frames: 0 zyx, 1 xyz, 2 unrolled", frames),
-    HB_CHOICE("harmonics", 2.0, "further harmonics: 0 none, 1 as finite elements, 2 stress", harmonics),
+    HB_CHOICE("frames", "zyx|xyz|nat", "how placement angles turn a sensor; nat is unrolled", frames),
+    HB_CHOICE("harmonics", "none|h1|h2", "further harmonics: h1 as finite elements, h2 stress", harmonics),
     HB_DRAWN("A42_mT", "mT", 500.0, Milli, "harmonic (4,2) at 50 mm instead of the preset's", amplitude_T[0]),
     HB_DRAWN("A62_mT", "mT", 500.0, Milli, "harmonic (6,2) at 50 mm instead of the preset's", amplitude_T[1]),
     HB_DRAWN("A66_mT", "mT", 500.0, Milli, "harmonic (6,6) at 50 mm instead of the preset's", amplitude_T[2]),
@@ -88,8 +97,11 @@ const std::array Specs = {
               turnSpread_rad),
     HB_SHARED("shift_sigma_mm", "mm", 0.0, 1.0, Milli, 'A', "spread of the drawn places, 1 sigma",
               shiftSpread_m),
+    HB_CHOICE("noise", "none|averaged|single-shot|poor",
+              "noise of a usual part: noise_uT is 0, 25, 100 or 1000 uT", noisePreset),
     HB_SHARED("noise_uT", "uT", 0.0, 1e5, Micro, 'A', "noise of a reading, rms", noise_T),
-    HB_CHOICE("adc", 3.0, "converter: 0 12 bit 300 mT, 1 400 mT, 2 98 uT to 130 mT, 3 100 mT", converter),
+    HB_CHOICE("adc", "300mT|400mT|130mT|100mT", "range of the converter: 12 bit, 130mT in steps of 98 uT",
+              converter),
     HB_SHARED("stray_x_uT", "uT", -1e5, 1e5, Micro, 'A', "uniform stray field along X", strayField_T[0]),
     HB_SHARED("stray_y_uT", "uT", -1e5, 1e5, Micro, 'A', "uniform stray field along Y", strayField_T[1]),
     HB_SHARED("stray_z_uT", "uT", -1e5, 1e5, Micro, 'A', "uniform stray field along Z", strayField_T[2]),
@@ -110,7 +122,8 @@ const std::array Specs = {
     HB_DRAWN("temp_error_K", "K", 10.0, 1.0, "error of the temperature sensor; drawn", temperatureError_K),
     HB_SHARED("temp_sigma_K", "K", 0.0, 5.0, 1.0, 'A', "spread of the drawn temperature errors, 1 sigma",
               temperatureSpread_K),
-    HB_CHOICE("motion", 6.0, "0 set-point, 1 to 4 published trajectory, 5 tumble, 6 random walk", motion),
+    HB_CHOICE("motion", "setpoint|published1|published2|published3|published4|tumble|walk",
+              "motion of the rotor; published1 to published4 are trajectories", motion),
     HB_SHARED("alpha_deg", "deg", -180.0, 180.0, Degree, 'A', "start, rotation about X", start.alpha_rad),
     HB_SHARED("beta_deg", "deg", -90.0, 90.0, Degree, 'A', "start, rotation about Y", start.beta_rad),
     HB_SHARED("gamma_deg", "deg", -180.0, 180.0, Degree, 'A', "start, spin about the shaft", start.gamma_rad),
@@ -140,6 +153,21 @@ const SphericalParameterSpec* findSphericalParameter(std::string_view key) {
     return found == Specs.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> sphericalParameterWords(std::string_view key) {
+    const Spec* spec = findSphericalParameter(key);
+    std::vector<std::string> words;
+    if (spec == nullptr || spec->words.empty()) {
+        return words;
+    }
+    std::string_view rest = spec->words;
+    for (auto end = rest.find('|'); end != std::string_view::npos; end = rest.find('|')) {
+        words.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(end + 1);
+    }
+    words.emplace_back(rest);
+    return words;
+}
+
 std::string sphericalParameterKeys() {
     std::string keys;
     for (const Spec& spec : Specs) {
@@ -154,9 +182,10 @@ Result<void> setSphericalParameter(SphericalParameters& parameters, std::string_
         return failure(ErrorCode::UnknownName, fmt::format("the spherical motor has no parameter '{}'", key),
                        "Known keys: " + sphericalParameterKeys() + ".");
     }
-    const std::string hint = fmt::format("Allowed: {} to {}{}{}{}. Known keys: {}.", spec->min, spec->max,
-                                         spec->unit.empty() ? "" : " ", spec->unit,
-                                         spec->isWhole ? ", whole numbers" : "", sphericalParameterKeys());
+    const std::string hint =
+        spec->isWhole ? fmt::format("Allowed: {}.", fmt::join(sphericalParameterWords(key), ", "))
+                      : fmt::format("Allowed: {} to {}{}{}. Known keys: {}.", spec->min, spec->max,
+                                    spec->unit.empty() ? "" : " ", spec->unit, sphericalParameterKeys());
     if (!std::isfinite(value)) {
         return failure(ErrorCode::NotFinite, fmt::format("{} is not a finite number", spec->key), hint);
     }
@@ -165,6 +194,9 @@ Result<void> setSphericalParameter(SphericalParameters& parameters, std::string_
     }
     if (spec->value != nullptr) {
         spec->value(parameters) = value * spec->toSi;
+        if (spec->key == NoiseKey) {
+            parameters.noise_T = NoisePresets_T[static_cast<std::size_t>(value)];
+        }
     } else {
         spec->specimen(parameters) = value * spec->toSi;
     }
@@ -213,7 +245,7 @@ SphericalParameters withoutImperfections(SphericalParameters parameters) {
         error.shift_m.fill(0.0);
     }
     parameters.temperatureError_K = 0.0;
-    parameters.noise_T = 0.0;
+    parameters.noise_T = parameters.noisePreset = 0.0;
     parameters.fault = {};
     parameters.strayField_T.setZero();
     parameters.coilCurrent_A = 0.0;

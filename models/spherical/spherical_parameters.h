@@ -11,12 +11,16 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace halbench::models {
 
 /// The device: physical, or the published model with additive angles.
 enum class SphericalDevice { Exact, Additive };
 inline constexpr std::array<std::string_view, 2> SphericalDeviceNames = {"exact", "paper"};
+
+/// Noise of a reading, rms: none, an averaged part, a single shot, a poor part.
+inline constexpr std::array<double, 4> NoisePresets_T = {0.0, 25e-6, 100e-6, 1e-3};
 
 /// Individual errors of one sensor, (R, Theta, Phi) or stator x, y, z; a value without a number is drawn from
 /// the seed.
@@ -45,7 +49,8 @@ struct SphericalParameters {
     double crossSpread_ratio = 2e-3;
     double turnSpread_rad = 0.01745329251994329577;
     double shiftSpread_m = 1e-4;
-    double noise_T = 100e-6;
+    double noisePreset = 2.0; ///< index of NoisePresets_T
+    double noise_T = NoisePresets_T[2];
     double converter = 0.0;        ///< ConverterPreset
     std::array<double, 9> fault{}; ///< ChannelFault of each channel
 
@@ -88,6 +93,7 @@ struct SphericalParameterSpec {
     double& (*value)(SphericalParameters&) = nullptr;
     std::optional<double>& (*specimen)(SphericalParameters&) = nullptr; ///< instead of `value`
     bool isWhole = false;
+    std::string_view words = {}; ///< of a choice, separated by '|'; the value is the word's index
 };
 
 /// The closed list of values, in the order of the help page.
@@ -97,7 +103,11 @@ const SphericalParameterSpec* findSphericalParameter(std::string_view key);
 /// Every key of an address, for messages.
 std::string sphericalParameterKeys();
 
-/// Sets one value by its key, given in the key's unit. Errors: UnknownName, NotFinite, OutOfRange.
+/// The words of a choice; empty for a number or an unknown key.
+std::vector<std::string> sphericalParameterWords(std::string_view key);
+
+/// Sets one value by its key, given in the key's unit. The preset `noise` sets `noise_uT`. Errors:
+/// UnknownName, NotFinite, OutOfRange.
 Result<void> setSphericalParameter(SphericalParameters& parameters, std::string_view key, double value);
 /// The value in the key's unit; empty for one that seed or preset decide. The key must exist.
 std::optional<double> sphericalParameter(const SphericalParameters& parameters, std::string_view key);

@@ -114,7 +114,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "{} gave no reading: its gain and offset keep their values"),
     QT_TRANSLATE_NOOP("Phrases", "Leave it out with channels.off, or repair it and calibrate again."),
     QT_TRANSLATE_NOOP("Phrases", "orientations that are missing most: {} ({})"),
-    QT_TRANSLATE_NOOP("Phrases", "Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address."),
+    QT_TRANSLATE_NOOP("Phrases", "Move the rotor there too. A simulated rotor moves with motion=tumble or motion=walk in its address."),
     QT_TRANSLATE_NOOP("Phrases", "The common sign of all readings is not observable without a known orientation: reversed, they are those of a rotor that is spun by 90 degrees."),
     QT_TRANSLATE_NOOP("Phrases", "Compare one orientation with the rotor, or record reference.alpha, .beta and .gamma."),
     QT_TRANSLATE_NOOP("Phrases", "the placement angles of a sensor turn it in this order: {}"),

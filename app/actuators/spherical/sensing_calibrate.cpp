@@ -19,7 +19,10 @@ Result<void> measure(devices::Device& device, const CalibrateConfig& config,
     if (!board) {
         return failure(board.error());
     }
-    const auto motion = recordSensedMotion(device, Duration_s, observer);
+    const bool isStray =
+        std::find(config.which.begin(), config.which.end(), Calibration::Stray) != config.which.end();
+    const auto motion =
+        recordSensedMotion(device, Duration_s, observer, isStray ? config.strayCurrent_A : 0.0);
     if (!motion) {
         return failure(motion.error());
     }

@@ -258,7 +258,8 @@ void refuse(CalibrateResult& result, const Error& error, const SensedMotion& mot
         note(result, Verdict::Refused, "orientations_missing",
              fmt::format("orientations that are missing most: {} ({})", fmt::join(missing, "; "),
                          orientationOrder()),
-             "Move the rotor there too. A simulated rotor moves with motion=5 or motion=6 in its address.");
+             "Move the rotor there too. A simulated rotor moves with motion=tumble or motion=walk in its "
+             "address.");
     }
 }
 

@@ -24,6 +24,8 @@ constexpr const char* Current = "coil.current";
 constexpr const char* Temperature = "temperature";
 /// What a picture of the motion shows while it is recorded, where the board has it.
 constexpr std::array Watched = {"orientation.fresh", "integrity", "shaft.cone95", "strength", "chi_square"};
+constexpr const char* DrivenCurrent = "simulation.coil_current";
+constexpr double CoilDwell_s = 3.0;
 
 /// A column that may be missing, but not be in a unit of another quantity.
 Result<std::vector<double>> columnOf(const Recording& recording, const std::string& name,
@@ -203,8 +205,46 @@ Result<SensedMotion> sensedMotion(const Recording& recording) {
     return motion;
 }
 
+namespace {
+
+constexpr const char* Waiting = "move the rotor";
+constexpr double RecordingShare = 0.9; ///< of the progress
+
+/// Lets the time pass with the coil's current now as it was, now larger by the step.
+Result<void> waitSwitchingCoil(devices::Device& device, const ProcedureObserver& observer, double duration_s,
+                               double coilStep_A) {
+    const std::string names[] = {DrivenCurrent};
+    const auto before_A = device.readParameters(names);
+    if (!before_A) {
+        return failure(before_A.error());
+    }
+    const int pieces = 2 * std::max(1, static_cast<int>(duration_s / (2.0 * CoilDwell_s)));
+    Result<void> done;
+    for (int i = 0; done && i < pieces; ++i) {
+        const ParameterValue current[] = {{DrivenCurrent, before_A->front() + (i % 2) * coilStep_A}};
+        done = device.writeParameters(current);
+        done = done ? waitObserved(device, observer, duration_s / pieces, RecordingShare * i / pieces,
+                                   RecordingShare * (i + 1) / pieces, Waiting)
+                    : done;
+    }
+    const ParameterValue before[] = {{DrivenCurrent, before_A->front()}};
+    const Result<void> setBack = device.writeParameters(before);
+    return done ? setBack : done;
+}
+
+Result<void> waitForMotion(devices::Device& device, const ProcedureObserver& observer, double duration_s,
+                           double coilStep_A) {
+    const bool isDriven = device.catalogue().findParameter(DrivenCurrent) != nullptr;
+    if (coilStep_A != 0.0 && isDriven) {
+        return waitSwitchingCoil(device, observer, duration_s, coilStep_A);
+    }
+    return waitObserved(device, observer, duration_s, 0.0, RecordingShare, Waiting);
+}
+
+} // namespace
+
 Result<SensedMotion> recordSensedMotion(devices::Device& device, double duration_s,
-                                        const ProcedureObserver& observer) {
+                                        const ProcedureObserver& observer, double coilStep_A) {
     const devices::LinkStatistics before = device.statistics();
     std::vector<std::string> names = fieldSignals();
     names.insert(names.end(), {LeftOut, Current, Temperature, "orientation.w", "orientation.x",
@@ -219,7 +259,7 @@ Result<SensedMotion> recordSensedMotion(devices::Device& device, double duration
     if (auto started = recorder.start(names, Rate_Hz); !started) {
         return failure(started.error());
     }
-    if (auto waited = waitObserved(device, observer, duration_s, 0.0, 0.9, "move the rotor"); !waited) {
+    if (auto waited = waitForMotion(device, observer, duration_s, coilStep_A); !waited) {
         return failure(recorder.causeOf(waited.error()));
     }
     const auto recording = recorder.finish();

@@ -444,7 +444,7 @@ std::vector<std::string> recordedSignals(const AnalysisValues& values) {
 Analysis orientationAnalysis() {
     AnalysisDevice device = sensingDevice();
     device.signals = recordedSignals;
-    device.extraSignals = {"coil.current"};
+    device.extraSignals = {"coil.current", "channels_left_out"};
     return {"orient",
             "halbench.orientation/1",
             "Orientation of a spherical rotor from nine field readings, recorded or of a device",

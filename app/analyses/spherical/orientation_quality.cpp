@@ -137,10 +137,14 @@ DataQuality qualityOf(const Orientation& work) {
              "use a sensor with a larger range or another placement");
     }
     for (std::size_t i = 0; i < models::ChannelCount; ++i) {
-        if (work.readings.missing[i] > 0 || work.readings.clipped[i] > 0) {
+        const OrientationReadings& readings = work.readings;
+        if (readings.missing[i] + readings.clipped[i] + readings.leftOut[i] > 0) {
             note(Verdict::Good, "channel_left_out",
-                 fmt::format("{}: {} values missing, {} clipped", work.readings.names[i],
-                             work.readings.missing[i], work.readings.clipped[i]),
+                 fmt::format("{}: {} values missing, {} clipped{}", readings.names[i], readings.missing[i],
+                             readings.clipped[i],
+                             readings.leftOut[i] > 0
+                                 ? fmt::format(", {} left out by the board", readings.leftOut[i])
+                                 : ""),
                  "they are left out of the estimate");
         }
     }

@@ -27,6 +27,7 @@ constexpr std::size_t PileToNeighbours = 2;
 constexpr double Neighbours_ratio = 0.997;
 /// Channels at rest with one common magnitude: three of a rotor's field may be alike, four are saturated.
 constexpr std::size_t LeastAlike = 4;
+constexpr const char* LeftOutSignal = "channels_left_out";
 
 /// As sensingColumn(), with the recording named.
 Result<SensingColumn> columnOf(const Recording& recording, const std::string& name, const std::string& unit,
@@ -147,6 +148,24 @@ void markSaturated(double largest_T, OrientationReadings& result) {
     result.saturated = std::move(saturated);
 }
 
+/// The board knows the ends of its converters and the channels that were switched off.
+Result<void> markLeftOut(const Recording& recording, const std::string& origin, OrientationReadings& result) {
+    const Result<SensingColumn> column = columnOf(recording, LeftOutSignal, "", origin);
+    if (!column) {
+        return column.error().code == ErrorCode::UnknownName ? Result<void>() : failure(column.error());
+    }
+    const std::vector<double> flags = column->values(recording);
+    for (std::size_t row = 0; row < flags.size(); ++row) {
+        const auto bits = std::isfinite(flags[row]) ? static_cast<unsigned>(std::lround(flags[row])) : 0U;
+        for (unsigned i = 0; i < models::ChannelCount; ++i) {
+            const bool isOut = ((bits >> i) & 1U) != 0U && result.used[row][i];
+            result.leftOut[i] += isOut;
+            result.used[row][i] = result.used[row][i] && !isOut;
+        }
+    }
+    return {};
+}
+
 /// Readings beyond any field, or channels at the end of the range.
 Result<void> markChannels(std::optional<double> range_T, const std::string& origin,
                           OrientationReadings& result) {
@@ -229,6 +248,7 @@ Result<OrientationReadings> orientationReadings(const AnalysisValues& values,
         range_T = *range_mT / 1e3;
     }
     Result<void> done = markChannels(range_T, origin, result);
+    done = done ? markLeftOut(recording, origin, result) : done;
     if (done && values.isSet("truth")) {
         done = readTruth(values, recording, origin, result);
     }

@@ -47,7 +47,7 @@ QString rangeText(const devices::OverrideSpec& spec) {
 
 QString standardText(const devices::OverrideSpec& spec) {
     if (!spec.choices.empty()) {
-        return text(spec.choices.front());
+        return text(spec.choices.at(static_cast<std::size_t>(spec.standard.value_or(0.0))));
     }
     if (spec.isText) {
         return {};
@@ -131,6 +131,9 @@ void SimulationOptionsDialog::addChoices(int row, const Row& option) {
     box->addItem(QString());
     for (const std::string& choice : option.spec.choices) {
         box->addItem(text(choice));
+    }
+    if (box->findText(text(option.value)) < 0) {
+        box->addItem(text(option.value)); // the index of a word, as an address may have it
     }
     box->setCurrentText(text(option.value));
     connect(box, &QComboBox::currentTextChanged, this, [this, row](const QString& value) {

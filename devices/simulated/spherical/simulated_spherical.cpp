@@ -16,6 +16,7 @@ namespace halbench::devices {
 namespace {
 
 constexpr const char* PosesKey = "poses";
+constexpr const char* NoiseKey = "noise";
 
 struct Truth {
     double angle_rad[3];
@@ -46,9 +47,62 @@ const hb_signal TruthSignals[] = {
           "True temperature of the magnet, known to the simulation only"),
 };
 
+/// What a host may change while the simulation runs.
+struct Settings {
+    float angle_rad[3] = {};
+    float rate_rad_s = 1.0F;
+    float coilCurrent_A = 0.0F;
+    std::uint8_t fault[9] = {};
+};
+
+constexpr float HalfTurn = 3.1415927F;
+constexpr float SlowestRate_rad_s = 1.7e-4F; // 0.01 to 10 000 degrees a second, as the key rate_deg_s
+constexpr float FastestRate_rad_s = 174.6F;
+
+#define SETTING(name, unit, member, lower, upper, text)                                                      \
+    HB_PARAM(HB_EXTRA, name, unit, HB_FLOAT32, Settings, member, 0.0F, lower, upper, nullptr, text)
+#define FAULT(name, channel)                                                                                 \
+    HB_PARAM(HB_EXTRA, name, "", HB_UBYTE, Settings, fault[channel], 0.0F, 0.0F, 3.0F,                       \
+             "none|dead|stuck|clipped", "Fault of this channel, of a simulation only")
+
+const hb_parameter SettingTable[] = {
+    SETTING("simulation.alpha", "rad", angle_rad[0], -HalfTurn, HalfTurn,
+            "Set-point of the rotation about X; ends another motion"),
+    SETTING("simulation.beta", "rad", angle_rad[1], -0.5F * HalfTurn, 0.5F * HalfTurn,
+            "Set-point of the rotation about Y; ends another motion"),
+    SETTING("simulation.gamma", "rad", angle_rad[2], -HalfTurn, HalfTurn,
+            "Set-point of the rotation about Z; ends another motion"),
+    SETTING("simulation.rate", "rad/s", rate_rad_s, SlowestRate_rad_s, FastestRate_rad_s,
+            "Largest rate towards the set-point"),
+    SETTING("simulation.coil_current", "A", coilCurrent_A, -100.0F, 100.0F,
+            "Current that the simulation drives through the coil"),
+    FAULT("simulation.fault.0.r", 0),
+    FAULT("simulation.fault.0.theta", 1),
+    FAULT("simulation.fault.0.phi", 2),
+    FAULT("simulation.fault.1.r", 3),
+    FAULT("simulation.fault.1.theta", 4),
+    FAULT("simulation.fault.1.phi", 5),
+    FAULT("simulation.fault.2.r", 6),
+    FAULT("simulation.fault.2.theta", 7),
+    FAULT("simulation.fault.2.phi", 8),
+};
+
+Settings startOf(const models::SphericalParameters& parameters) {
+    Settings settings;
+    settings.angle_rad[0] = static_cast<float>(parameters.start.alpha_rad);
+    settings.angle_rad[1] = static_cast<float>(parameters.start.beta_rad);
+    settings.angle_rad[2] = static_cast<float>(parameters.start.gamma_rad);
+    settings.rate_rad_s = static_cast<float>(parameters.rate_rad_s);
+    settings.coilCurrent_A = static_cast<float>(parameters.coilCurrent_A);
+    std::transform(parameters.fault.begin(), parameters.fault.end(), std::begin(settings.fault),
+                   [](double fault) { return static_cast<std::uint8_t>(fault); });
+    return settings;
+}
+
 class SphericalBoardPlant final : public Plant {
 public:
-    explicit SphericalBoardPlant(models::SphericalPlant plant) : m_plant(std::move(plant)) {}
+    explicit SphericalBoardPlant(models::SphericalPlant plant)
+        : m_plant(std::move(plant)), m_settings(startOf(m_plant.parameters())), m_applied(m_settings) {}
 
     models::SphericalPlant& model() { return m_plant; }
     const models::SphericalPlant& model() const { return m_plant; }
@@ -63,17 +117,43 @@ public:
         m_plant.read(readings);
     }
     void drive(std::span<const float>) override {} // nothing drives the rotor
-    void advance(int subSteps) override { m_plant.advance(subSteps); }
+    void advance(int subSteps) override {
+        applySettings();
+        m_plant.advance(subSteps);
+    }
+    hb_parameter_table settings() override {
+        return {SettingTable, &m_settings, std::size(SettingTable), sizeof m_settings};
+    }
     hb_signal_table truth() const override { return {TruthSignals, std::size(TruthSignals), &m_truth}; }
 
 private:
+    // Only what a host has changed: values of an address are doubles and go on as they are.
+    void applySettings() {
+        const float(&angle_rad)[3] = m_settings.angle_rad;
+        const bool isSame = std::equal(std::begin(angle_rad), std::end(angle_rad), m_applied.angle_rad);
+        if (!isSame || m_settings.rate_rad_s != m_applied.rate_rad_s) {
+            m_plant.turnTo({angle_rad[0], angle_rad[1], angle_rad[2]}, m_settings.rate_rad_s);
+        }
+        if (m_settings.coilCurrent_A != m_applied.coilCurrent_A) {
+            m_plant.setCoilCurrent_A(m_settings.coilCurrent_A);
+        }
+        for (std::size_t i = 0; i < std::size(m_settings.fault); ++i) {
+            if (m_settings.fault[i] != m_applied.fault[i]) {
+                m_plant.setFault(static_cast<int>(i), static_cast<models::ChannelFault>(m_settings.fault[i]));
+            }
+        }
+        m_applied = m_settings;
+    }
+
     models::SphericalPlant m_plant;
+    Settings m_settings;
+    Settings m_applied;
     Truth m_truth{};
 };
 
 class SphericalFirmware final : public Firmware {
 public:
-    SphericalFirmware(const SphericalBoardPlant& plant, std::uint64_t seed, SimulatedBoard::Line line)
+    SphericalFirmware(SphericalBoardPlant& plant, std::uint64_t seed, SimulatedBoard::Line line)
         : m_identity(fmt::format("sim-spherical-{}", seed)) {
         const hb_spherical_hardware hardware = hardwareOf(plant.model());
         m_stored = initialCalibration(plant.model().parameters());
@@ -82,6 +162,7 @@ public:
         config.transport_a2l = line.a2l;
         config.max_dto = line.maxDto;
         config.extra = plant.truth();
+        config.extra_parameters = plant.settings();
         config.store = &SphericalFirmware::store;
         config.store_context = &m_stored;
         config.stored = &m_stored;
@@ -162,7 +243,11 @@ Result<Setup> setupOf(Overrides overrides) {
         [](std::string_view key) { return models::findSphericalParameter(key) != nullptr; },
         &models::setSphericalParameter,
         [](models::SphericalParameters parameters) { return models::withoutImperfections(parameters); },
-        [](models::SphericalParameters parameters) { return models::withIdealChain(parameters); }};
+        [](models::SphericalParameters parameters) { return models::withIdealChain(parameters); },
+        &models::sphericalParameterWords};
+    // A preset is the start; the value itself wins over it, in any order.
+    std::stable_partition(overrides.begin(), overrides.end(),
+                          [](const auto& row) { return row.first == NoiseKey; });
     const Result<models::SphericalParameters> parameters = withOverrides(table, overrides);
     if (!parameters) {
         return failure(parameters.error());
@@ -189,9 +274,10 @@ SimulatedModel sphericalModel() {
     model.name = "spherical";
     model.title = "Spherical motor, orientation sensing";
     model.overrides = knownKeys();
-    model.keys = overrideSpecs(models::sphericalParameterSpecs(), [](std::string_view key) {
-        return models::sphericalParameter(models::SphericalParameters{}, key);
-    });
+    model.keys = overrideSpecs(
+        models::sphericalParameterSpecs(),
+        [](std::string_view key) { return models::sphericalParameter(models::SphericalParameters{}, key); },
+        &models::sphericalParameterWords);
     OverrideSpec poses;
     poses.key = PosesKey;
     poses.meaning = "motion: CSV file of poses";

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 namespace halbench::models {
@@ -95,6 +96,22 @@ TEST(FieldSensor, marksClippedChannelsAndKeepsFaultyOnes) {
     EXPECT_EQ(second.value_T[2], first.value_T[2]);
     config.noise_T = -1.0;
     EXPECT_EQ(checkFieldSensor(config).error().code, ErrorCode::OutOfRange);
+}
+
+TEST(FieldSensor, aClippedChannelReadsTheEndOfItsRangeOnTheSideOfTheField) {
+    FieldSensorConfig config;
+    config.fault = {ChannelFault::Clipped, ChannelFault::Clipped, ChannelFault::None};
+    FieldSensorState state;
+    Random silent(1);
+    const FieldSample sample = sampleFieldSensor(config, state, {0.05, -0.05, 0.05}, silent);
+    EXPECT_NEAR(sample.value_T[0], 0.3 - config.converter.step_T, 1e-12);
+    EXPECT_NEAR(sample.value_T[1], -0.3, 1e-12);
+    EXPECT_EQ(sample.isClipped, (std::array{true, true, false}));
+    config.converter.isQuantised = false; // no range, no end
+    const FieldSample ideal = sampleFieldSensor(config, state, {0.05, -0.05, 0.05}, silent);
+    EXPECT_TRUE(std::isinf(ideal.value_T[0]) && std::isinf(ideal.value_T[1]));
+    EXPECT_EQ(ideal.isClipped, (std::array{true, true, false}));
+    EXPECT_EQ(ideal.value_T[2], 0.05);
 }
 
 TEST(FieldSensor, noiseHasItsVariance) {

@@ -111,7 +111,7 @@ TEST(RotorMotion, setPointIsReachedAtItsRate) {
     config.rate_rad_s = 0.5;
     RotorMotion motion(config, 1);
     const OrientationAngles target = angles_deg(20, -30, 50);
-    motion.setTarget(target);
+    motion.turnTo(target, config.rate_rad_s);
     const double way_rad = vectorOfRotation(rotationOf(target)).norm();
     const double needed_s = way_rad / 0.5;
     while (motion.time_s() < needed_s - 2e-3) {
@@ -123,6 +123,21 @@ TEST(RotorMotion, setPointIsReachedAtItsRate) {
     EXPECT_LT(symmetricError_rad(motion.rotation(), rotationOf(target)), 1e-12);
     motion.advance(1e-3);
     EXPECT_EQ(motion.rate_rad_s().norm(), 0.0);
+}
+
+TEST(RotorMotion, aSetPointEndsAnotherMotionWithoutAJump) {
+    RotorMotionConfig config;
+    config.kind = MotionKind::Tumble;
+    RotorMotion motion(config, 1);
+    motion.advance(0.7);
+    const OrientationAngles target = angles_deg(-15, 25, 70);
+    motion.turnTo(target, 0.25);
+    for (int i = 0; i < 100; ++i) {
+        motion.advance(1e-3);
+        EXPECT_NEAR(motion.rate_rad_s().norm(), 0.25, 1e-9);
+    }
+    motion.advance(4.0 * Pi / 0.25); // more than any way needs
+    EXPECT_LT(symmetricError_rad(motion.rotation(), rotationOf(target)), 1e-12);
 }
 
 TEST(RotorMotion, publishedOnesPassTheirSamplesWithoutJumps) {

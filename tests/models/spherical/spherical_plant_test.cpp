@@ -72,6 +72,27 @@ TEST(SphericalParameters, refusesUnknownKeysAndImpossibleDevices) {
     }
 }
 
+// The words stand for the enumerations that the plant takes the values for.
+TEST(SphericalParameters, aChoiceHasOneWordForEachOfItsValues) {
+    const auto words = [](const char* key) { return sphericalParameterWords(key); };
+    const auto namesOf = [](const auto& names, std::size_t count) {
+        return std::vector<std::string>(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(count));
+    };
+    EXPECT_EQ(words("adc"), namesOf(ConverterPresetNames, 4));
+    EXPECT_EQ(words("motion"), namesOf(MotionNames, 7)); // a table comes from a file
+    EXPECT_EQ(words("device"), namesOf(SphericalDeviceNames, 2));
+    EXPECT_EQ(words("frames"), namesOf(SensorFrameNames, 3));
+    EXPECT_EQ(words("s2_fault_phi"), namesOf(ChannelFaultNames, 4));
+    EXPECT_EQ(words("noise").size(), NoisePresets_T.size());
+    EXPECT_TRUE(words("noise_uT").empty());
+    EXPECT_TRUE(words("mass").empty());
+    for (const SphericalParameterSpec& spec : sphericalParameterSpecs()) {
+        EXPECT_EQ(spec.isWhole, !words(spec.key.data()).empty()) << spec.key;
+        EXPECT_TRUE(!spec.isWhole || spec.max + 1.0 == static_cast<double>(words(spec.key.data()).size()))
+            << spec.key;
+    }
+}
+
 TEST(SphericalPlant, sameSeedGivesTheSameBitsAndAnotherSeedOthers) {
     const SphericalParameters parameters = with({}, {{"motion", 6.0}});
     SphericalPlant first = plant(parameters, 5);

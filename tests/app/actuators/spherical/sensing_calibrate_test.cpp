@@ -34,8 +34,7 @@ TEST(SensingCalibrate, bringsTheErrorBelowTwiceTheNoiseBound) {
     }
 }
 
-TEST(SensingCalibrate, findsHarmonicsDriftAndTheCoilsField) {
-    // The current of a coil in the simulation is constant: two recordings joined in one.
+TEST(SensingCalibrate, findsHarmonicsAndDrift) {
     const auto device =
         openSphere("motion=5&adc=1&harmonics=1&warm_rise_K=40&warm_time_s=30&temp_error_K=0&seed=5");
     ASSERT_NE(device, nullptr);
@@ -54,6 +53,26 @@ TEST(SensingCalibrate, findsHarmonicsDriftAndTheCoilsField) {
     EXPECT_LT(boardErrors(*device, 100).rms_deg, 0.25);
 }
 
+Recording recordedMotion(double coil_A, const std::vector<std::string>& more, double tilt_deg = 40.0) {
+    auto device = openSphere(
+        fmt::format("motion=5&adc=1&temp_error_K=0&seed=4&coil_A={}&tilt_deg={}", coil_A, tilt_deg));
+    std::vector<std::string> names = fieldSignals();
+    names.insert(names.end(), more.begin(), more.end());
+    Recording recording;
+    auto layout = std::make_shared<StreamLayout>();
+    for (const std::string& name : names) {
+        layout->columns.push_back({name, ""});
+    }
+    recording.layout = layout;
+    for (int i = 0; i < 400; ++i) {
+        EXPECT_TRUE(device->clock().waitFor(0.1));
+        const auto values = *device->readSignals(names);
+        recording.time_s.push_back(0.1 * i);
+        recording.values.insert(recording.values.end(), values.begin(), values.end());
+    }
+    return recording;
+}
+
 TEST(SensingCalibrate, saysWhatTheRecordCannotTell) {
     const auto device = openSphere("motion=5&adc=1&seed=2");
     ASSERT_NE(device, nullptr);
@@ -61,10 +80,12 @@ TEST(SensingCalibrate, saysWhatTheRecordCannotTell) {
     const CalibrateResult all = calibratedSphere(*device, config);
     EXPECT_EQ(all.quality.verdict, Verdict::Good);
     EXPECT_TRUE(hasSphereFinding(all, "drift_not_determined"));
-    EXPECT_TRUE(hasSphereFinding(all, "coil_not_determined"));
     EXPECT_TRUE(hasSphereFinding(all, "not_identifiable"));
+    const Recording steady = recordedMotion(0.0, {"coil.current"});
+    const auto both = calibrateSensingRecording(steady, {}, config, {});
+    EXPECT_TRUE(hasSphereFinding(*both, "coil_not_determined"));
     config.which = {Calibration::Stray};
-    EXPECT_EQ(calibratedSphere(*device, config).quality.verdict, Verdict::Refused);
+    EXPECT_EQ(calibrateSensingRecording(steady, {}, config, {})->quality.verdict, Verdict::Refused);
     config.which = {Calibration::StaticFriction};
     EXPECT_EQ(actuatorOf("spherical").calibrate.run(*device, config, {}).error().code, ErrorCode::Usage);
     EXPECT_EQ(actuatorOf("spherical").identify.run(*device, {}, {}).error().code, ErrorCode::Usage);
@@ -118,24 +139,41 @@ TEST(SensingCalibrate, putsEverythingBackWhereverItEnds) {
     }
 }
 
-Recording recordedMotion(double coil_A, const std::vector<std::string>& more, double tilt_deg = 40.0) {
-    auto device = openSphere(
-        fmt::format("motion=5&adc=1&temp_error_K=0&seed=4&coil_A={}&tilt_deg={}", coil_A, tilt_deg));
-    std::vector<std::string> names = fieldSignals();
-    names.insert(names.end(), more.begin(), more.end());
-    Recording recording;
-    auto layout = std::make_shared<StreamLayout>();
-    for (const std::string& name : names) {
-        layout->columns.push_back({name, ""});
+/// Field of the coil per ampere that the channels of a specimen read, by the figure's name.
+std::map<std::string, double> coilTruth(std::uint64_t seed) {
+    const models::SphericalParameters parameters;
+    const models::SphericalSpecimen specimen = models::drawSphericalSpecimen(parameters, seed);
+    const models::CurrentLoop coil = models::statorCoilOf(parameters);
+    std::map<std::string, double> truth;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Eigen::Vector3d own = specimen.poses[i].axes.transpose() *
+                                    models::loopField_T_per_A(coil, specimen.poses[i].position_m);
+        const Eigen::Vector3d scaled = specimen.sensors[i].gain_ratio.cwiseProduct(own);
+        const Eigen::Vector3d seen = scaled + specimen.sensors[i].crossAxis_ratio * scaled;
+        constexpr std::array Channels = {"r", "theta", "phi"};
+        for (std::size_t k = 0; k < 3; ++k) {
+            truth[fmt::format("sensor{}.coil_{}", i, Channels[k])] = seen[static_cast<Eigen::Index>(k)];
+        }
     }
-    recording.layout = layout;
-    for (int i = 0; i < 400; ++i) {
-        EXPECT_TRUE(device->clock().waitFor(0.1));
-        const auto values = *device->readSignals(names);
-        recording.time_s.push_back(0.1 * i);
-        recording.values.insert(recording.values.end(), values.begin(), values.end());
+    return truth;
+}
+
+/// How many of nine figures hold the truth in their intervals; all of them lie near it.
+int coilFiguresInside(const CalibrateResult& result, std::uint64_t seed, double tolerance_T_per_A) {
+    int inside = 0;
+    int found = 0;
+    const auto truth = coilTruth(seed);
+    for (const CalibrationFigure& figure : result.figures) {
+        const auto known = truth.find(figure.name);
+        if (known != truth.end()) {
+            ++found;
+            inside += figure.estimate.interval95->first <= known->second &&
+                      known->second <= figure.estimate.interval95->second;
+            EXPECT_NEAR(*figure.estimate.value, known->second, tolerance_T_per_A) << figure.name;
+        }
     }
-    return recording;
+    EXPECT_EQ(found, 9);
+    return inside;
 }
 
 TEST(SensingCalibrate, takesARecordingAndTheFieldOfTheCoilFromIt) {
@@ -147,28 +185,47 @@ TEST(SensingCalibrate, takesARecordingAndTheFieldOfTheCoilFromIt) {
     }
     const auto result = calibrateSensingRecording(recording, {}, {}, {});
     ASSERT_TRUE(result) << result.error().message;
-    const models::SphericalParameters parameters;
-    const models::SphericalSpecimen specimen = models::drawSphericalSpecimen(parameters, 4);
-    const models::CurrentLoop coil = models::statorCoilOf(parameters);
+    EXPECT_GE(coilFiguresInside(*result, 4, 2e-5), 7); // of nine: 0.99; 100 uT over 5 A, 400 samples
+}
+
+// The coil of a simulated device is switched by the calibration itself, and is as before afterwards.
+TEST(SensingCalibrate, findsTheFieldOfTheSimulatedCoil) {
     int inside = 0;
-    for (const CalibrationFigure& figure : result->figures) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Eigen::Vector3d own = specimen.poses[i].axes.transpose() *
-                                        models::loopField_T_per_A(coil, specimen.poses[i].position_m);
-            const Eigen::Vector3d scaled = specimen.sensors[i].gain_ratio.cwiseProduct(own);
-            const Eigen::Vector3d seen = scaled + specimen.sensors[i].crossAxis_ratio * scaled;
-            constexpr std::array Channels = {"r", "theta", "phi"};
-            for (std::size_t k = 0; k < 3; ++k) {
-                if (figure.name == fmt::format("sensor{}.coil_{}", i, Channels[k])) {
-                    const double truth = seen[static_cast<Eigen::Index>(k)];
-                    inside += figure.estimate.interval95->first <= truth &&
-                              truth <= figure.estimate.interval95->second;
-                    EXPECT_NEAR(*figure.estimate.value, truth, 2e-5); // 100 uT over 5 A, 400 samples
-                }
-            }
-        }
+    for (const std::uint64_t seed : {4U, 5U, 6U}) {
+        const auto device = openSphere(fmt::format("motion=tumble&adc=400mT&coil_A=0.25&seed={}", seed));
+        ASSERT_NE(device, nullptr);
+        CalibrateConfig config;
+        config.which = {Calibration::Stray};
+        config.apply = true;
+        const CalibrateResult result = calibratedSphere(*device, config);
+        EXPECT_EQ(result.quality.verdict, Verdict::Good);
+        EXPECT_TRUE(result.isApplied);
+        inside += coilFiguresInside(result, seed, 5e-5); // 115 uT with rounding, 4 A, 300 of 600 samples
+        const std::string names[] = {"simulation.coil_current", "sensor.coil_1"};
+        const auto after = device->readParameters(names);
+        ASSERT_TRUE(after);
+        EXPECT_EQ((*after)[0], 0.25);
+        EXPECT_NEAR((*after)[1], coilTruth(seed).at("sensor0.coil_r"), 5e-5);
     }
-    EXPECT_GE(inside, 7); // of nine 95 % intervals: 0.99
+    EXPECT_GE(inside, 22); // of 27 intervals of 95 %: 0.995
+}
+
+TEST(SensingCalibrate, setsTheCoilBackWhenItIsStopped) {
+    const auto device = openSphere("motion=tumble&coil_A=1.5");
+    ASSERT_NE(device, nullptr);
+    CalibrateConfig config;
+    config.which = {Calibration::Stray};
+    ProcedureObserver observer;
+    const double start_s = device->clock().now_s();
+    observer.checkAbort = [&]() -> Result<void> {
+        return device->clock().now_s() > start_s + 4.0 // the second piece, with the current changed
+                   ? failure(ErrorCode::Interrupted, "ended by the test", "none")
+                   : Result<void>();
+    };
+    EXPECT_EQ(actuatorOf("spherical").calibrate.run(*device, config, observer).error().code,
+              ErrorCode::Interrupted);
+    const std::string names[] = {"simulation.coil_current"};
+    EXPECT_EQ(device->readParameters(names)->front(), 1.5);
 }
 
 TEST(SensingCalibrate, usesKnownOrientationsAndRefusesWrongColumns) {

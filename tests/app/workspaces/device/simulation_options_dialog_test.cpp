@@ -40,10 +40,12 @@ TEST_F(SimulationOptionsTest, theMotionOfTheSphericalMotorIsChosenAndConnected) 
     click(panel, "Simulation options…");
     auto* dialog = panel.findChild<SimulationOptionsDialog*>();
     ASSERT_NE(dialog, nullptr);
-    enter(*dialog, "motion", "5");
+    auto* motion = qobject_cast<QComboBox*>(table(*dialog).cellWidget(rowOf(*dialog, "motion"), 1));
+    ASSERT_NE(motion, nullptr);
+    motion->setCurrentText("tumble");
     enter(*dialog, "tumble_Hz", "0.5");
     ok(*dialog).click();
-    EXPECT_EQ(panel.address(), "sim:spherical?motion=5&tumble_Hz=0.5");
+    EXPECT_EQ(panel.address(), "sim:spherical?motion=tumble&tumble_Hz=0.5");
     panel.connectAddress();
     ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
     EXPECT_FALSE(find<QPushButton>(panel, "Simulation options…")->isEnabled()); // of the next connection

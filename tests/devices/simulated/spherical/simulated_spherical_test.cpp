@@ -116,6 +116,61 @@ TEST(SimulatedSphericalTest, deadChannelIsFlaggedByItsResidual) {
     EXPECT_LT(sphere.error_deg(), 0.2); // eight channels with their rounding of 0.07 mT
 }
 
+// As dead and stuck: never taken for a reading. The pose is right without it, with and without a range.
+TEST(SimulatedSphericalTest, aClippedChannelIsLeftOutAndFlagged) {
+    for (const char* chain : {"full", "ideal"}) {
+        Sphere sphere(std::string("imperfections=off&motion=tumble&s1_fault_theta=clipped&chain=") + chain);
+        for (int tick = 0; tick < 2000; ++tick) {
+            sphere.board().tick();
+            ASSERT_NE(sphere.signals().integrity & HB_INTEGRITY_CHANNEL_LEFT_OUT, 0) << chain << tick;
+            ASSERT_NE(sphere.signals().left_out & (1 << 4), 0) << chain << tick;
+            ASSERT_LT(sphere.error_deg(), 0.2) << chain << tick; // eight channels, rounding of 42 uT rms
+        }
+    }
+}
+
+// 25 uT of an averaged part, 100 uT of a single shot, 1 mT of a poor one; the value itself wins over the
+// preset, the preset over imperfections=off, in any order.
+TEST(SimulatedSphericalTest, noisePresetsAndRangesAreChosenByName) {
+    const auto noise_uT = [](const std::string& query) {
+        return 1e6 * sphericalPlant(Sphere(query).board()).parameters().noise_T;
+    };
+    EXPECT_NEAR(noise_uT("noise=averaged"), 25.0, 1e-9);
+    EXPECT_NEAR(noise_uT("noise=single-shot"), 100.0, 1e-9);
+    EXPECT_NEAR(noise_uT("seed=2"), 100.0, 1e-9);
+    EXPECT_NEAR(noise_uT("noise=poor"), 1000.0, 1e-9);
+    EXPECT_EQ(noise_uT("noise=none"), 0.0);
+    EXPECT_EQ(noise_uT("imperfections=off"), 0.0);
+    EXPECT_NEAR(noise_uT("noise=poor&imperfections=off"), 1000.0, 1e-9);
+    EXPECT_NEAR(noise_uT("noise_uT=40&noise=poor"), 40.0, 1e-9);
+    EXPECT_NEAR(noise_uT("noise=poor&noise_uT=40"), 40.0, 1e-9);
+    const auto range_mT = [](const std::string& query) {
+        return 1e3 * sphericalPlant(Sphere(query).board()).converter().range_T;
+    };
+    EXPECT_NEAR(range_mT("adc=300mT"), 300.0, 1e-9);
+    EXPECT_NEAR(range_mT("adc=400mT"), 400.0, 1e-9);
+    EXPECT_NEAR(range_mT("adc=130mT"), 130.0, 1e-9);
+    EXPECT_NEAR(range_mT("adc=100mT"), 100.0, 1e-9);
+    EXPECT_NEAR(range_mT("adc=1"), 400.0, 1e-9); // the number of the preset, as in older addresses
+}
+
+TEST(SimulatedSphericalTest, aWrongChoiceNamesItsOwnWordsAlone) {
+    const std::pair<const char*, const char*> wrong[] = {
+        {"adc=200mT", "Allowed: 300mT, 400mT, 130mT, 100mT."},
+        {"adc=4", "Allowed: 300mT, 400mT, 130mT, 100mT."},
+        {"adc=nan", "Allowed: 300mT, 400mT, 130mT, 100mT."},
+        {"s0_fault_r=broken", "Allowed: none, dead, stuck, clipped."},
+        {"s0_fault_r=0.5", "Allowed: none, dead, stuck, clipped."},
+        {"motion=9", "Allowed: setpoint, published1, published2, published3, published4, tumble, walk."},
+        {"noise=loud", "Allowed: none, averaged, single-shot, poor."}};
+    for (const auto& [query, hint] : wrong) {
+        const auto board = makeSimulatedBoard(*parseDeviceUri(std::string("sim:spherical?") + query), {});
+        ASSERT_FALSE(board) << query;
+        EXPECT_EQ(board.error().message, std::string(query) + " is unknown");
+        EXPECT_EQ(board.error().hint, hint) << query;
+    }
+}
+
 TEST(SimulatedSphericalTest, clippedChannelsAreLeftOut) {
     Sphere sphere("imperfections=off&adc=3&gamma_deg=0"); // R of sensor 0 is 0.2976 T, the range 0.1 T
     EXPECT_NE(static_cast<int>(sphere.signal("channels_left_out")) & 1, 0);
@@ -149,6 +204,77 @@ TEST(SimulatedSphericalTest, calibrationPagesTakeTheErrorsOut) {
     sphere.board().tick();
     EXPECT_GT(before_deg, 0.2);
     EXPECT_LT(sphere.error_deg(), 0.06); // rounding alone: 0.0125 degrees rms
+}
+
+TEST(SimulatedSphericalTest, aHostMovesTheSetPointWhileItRuns) {
+    Sphere sphere("chain=ideal&motion=tumble");
+    sphere.board().advanceTo(1.0);
+    sphere.set("simulation.rate", 0.5);
+    sphere.set("simulation.alpha", 0.3);
+    sphere.set("simulation.beta", -0.2);
+    sphere.set("simulation.gamma", 0.4);
+    double fastest_rad_s = 0.0;
+    for (int tick = 0; tick < 10000; ++tick) { // at most half a turn at 0.5 rad/s
+        sphere.board().tick();
+        fastest_rad_s = std::max(fastest_rad_s, sphericalPlant(sphere.board()).truth().rate_rad_s.norm());
+        ASSERT_LT(sphere.error_deg(), 2e-4);
+    }
+    EXPECT_NEAR(fastest_rad_s, 0.5, 1e-6);
+    EXPECT_NEAR(sphere.signal("truth.alpha"), 0.3, 1e-6); // a parameter has single precision
+    EXPECT_NEAR(sphere.signal("truth.beta"), -0.2, 1e-6);
+    EXPECT_NEAR(sphere.signal("truth.gamma"), 0.4, 1e-6);
+}
+
+// The readings change by the field of the loop times the current; compensated, the orientation does not.
+TEST(SimulatedSphericalTest, aHostDrivesTheCoilWhileItRuns) {
+    Sphere sphere("chain=ideal&alpha_deg=10&gamma_deg=20&coil_A=1");
+    const models::SphericalPlant& plant = sphericalPlant(sphere.board());
+    const models::CurrentLoop coil = models::statorCoilOf(plant.parameters());
+    const double before_T = sphere.signal("field.0.r");
+    EXPECT_EQ(sphere.signal("coil.current"), 1.0);
+    sphere.set("simulation.coil_current", -9.0);
+    sphere.board().tick();
+    EXPECT_EQ(sphere.signal("coil.current"), -9.0);
+    const models::SensorPose& pose = plant.specimen().poses[0];
+    const double perAmpere_T = pose.axes.col(0).dot(models::loopField_T_per_A(coil, pose.position_m));
+    EXPECT_NEAR(sphere.signal("field.0.r") - before_T, -10.0 * perAmpere_T, 1e-7);
+    EXPECT_GT(std::abs(perAmpere_T), 1e-4);
+}
+
+TEST(SimulatedSphericalTest, aHostMakesAndMendsFaultsWhileItRuns) {
+    Sphere sphere("imperfections=off&motion=tumble");
+    const auto integrityAfter = [&](double fault) {
+        sphere.set("simulation.fault.0.r", fault);
+        int flags = 0;
+        for (int tick = 0; tick < 1000; ++tick) { // the motion leaves the value where a stuck one stopped
+            sphere.board().tick();
+            flags |= sphere.signals().integrity;
+        }
+        return flags;
+    };
+    EXPECT_EQ(integrityAfter(0.0), 0);
+    EXPECT_EQ(integrityAfter(1.0) & HB_INTEGRITY_RESIDUAL, HB_INTEGRITY_RESIDUAL);
+    EXPECT_EQ(integrityAfter(0.0), 0);
+    EXPECT_EQ(integrityAfter(2.0) & HB_INTEGRITY_RESIDUAL, HB_INTEGRITY_RESIDUAL);
+    EXPECT_EQ(integrityAfter(3.0), HB_INTEGRITY_CHANNEL_LEFT_OUT);
+    EXPECT_LT(sphere.error_deg(), 0.2);
+    EXPECT_EQ(integrityAfter(0.0), 0);
+}
+
+TEST(SimulatedSphericalTest, settingsStartAsTheAddressSays) {
+    Sphere sphere("alpha_deg=10&coil_A=2.5&s2_fault_phi=stuck&rate_deg_s=30");
+    const auto value = [&](const std::string& name) {
+        const std::string names[] = {name};
+        return sphere.device().readParameters(names)->front();
+    };
+    EXPECT_NEAR(value("simulation.alpha"), degreesToRadians(10.0), 1e-7);
+    EXPECT_NEAR(value("simulation.rate"), degreesToRadians(30.0), 1e-7);
+    EXPECT_EQ(value("simulation.coil_current"), 2.5);
+    EXPECT_EQ(value("simulation.fault.2.phi"), 2.0);
+    const ParameterSpec* fault = sphere.device().catalogue().findParameter("simulation.fault.2.phi");
+    ASSERT_NE(fault, nullptr);
+    EXPECT_EQ(fault->choices, (std::vector<std::string>{"none", "dead", "stuck", "clipped"}));
+    EXPECT_EQ(fault->group, "simulation");
 }
 
 TEST(SimulatedSphericalTest, wrongOverridesAreNamed) {
