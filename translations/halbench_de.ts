@@ -4243,10 +4243,6 @@
         <translation>Eine Anordnung braucht Sensoren außerhalb des Rotors, positive Stärke und positives Rauschen und mindestens einen Kandidaten der Endauswahl.</translation>
     </message>
     <message>
-        <source>Use the objective reading, or the exact device.</source>
-        <translation>Das Ziel reading oder das exakte Modell verwenden.</translation>
-    </message>
-    <message>
         <source>The step of the placement lattice must divide 45 degrees and be at least 1 degree.</source>
         <translation>Die Schrittweite des Rasters der Anordnungen muss 45 Grad teilen und mindestens 1 Grad sein.</translation>
     </message>
@@ -10621,6 +10617,26 @@
     <message>
         <source>Move the rotor there too. A simulated rotor moves with motion=tumble or motion=walk in its address.</source>
         <translation>Bewegen Sie den Rotor auch dorthin. Ein simulierter Rotor bewegt sich mit motion=tumble oder motion=walk in seiner Adresse.</translation>
+    </message>
+    <message>
+        <source>Use the objective coverage, or the exact device.</source>
+        <translation>Das Ziel coverage oder das exakte Modell verwenden.</translation>
+    </message>
+    <message>
+        <source>Sensor 0, which stays on +X, reads up to {} mT: more than the range of {} mT.</source>
+        <translation>Sensor 0, der auf +X bleibt, misst bis zu {} mT: mehr als der Messbereich von {} mT.</translation>
+    </message>
+    <message>
+        <source>Use a range of at least {} mT, or sensors {} mm or more from the centre.</source>
+        <translation>Einen Messbereich von mindestens {} mT verwenden oder Sensoren {} mm oder mehr vom Mittelpunkt.</translation>
+    </message>
+    <message>
+        <source>Use 1, 1.5, 2.5, 3, 4.5, 5, 7.5, 9, 15, 22.5 or 45 degrees.</source>
+        <translation>1, 1,5, 2,5, 3, 4,5, 5, 7,5, 9, 15, 22,5 oder 45 Grad verwenden.</translation>
+    </message>
+    <message>
+        <source>Check the radius of the sensors, the strength of the rotor and the noise.</source>
+        <translation>Abstand der Sensoren, Stärke des Rotors und Rauschen prüfen.</translation>
     </message>
 </context>
 <context>

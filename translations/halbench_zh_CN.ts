@@ -4243,10 +4243,6 @@
         <translation>布置需要传感器位于转子之外、强度和噪声为正，并至少一个入围方案。</translation>
     </message>
     <message>
-        <source>Use the objective reading, or the exact device.</source>
-        <translation>请使用目标 reading，或使用精确模型。</translation>
-    </message>
-    <message>
         <source>The step of the placement lattice must divide 45 degrees and be at least 1 degree.</source>
         <translation>布置网格的步长必须整除 45 度且至少为 1 度。</translation>
     </message>
@@ -10621,6 +10617,26 @@
     <message>
         <source>Move the rotor there too. A simulated rotor moves with motion=tumble or motion=walk in its address.</source>
         <translation>请把转子也转到这些姿态。模拟转子在地址中加 motion=tumble 或 motion=walk 即可运动。</translation>
+    </message>
+    <message>
+        <source>Use the objective coverage, or the exact device.</source>
+        <translation>请使用目标 coverage，或使用精确模型。</translation>
+    </message>
+    <message>
+        <source>Sensor 0, which stays on +X, reads up to {} mT: more than the range of {} mT.</source>
+        <translation>固定在 +X 的传感器 0 读数可达 {} mT：超过量程 {} mT。</translation>
+    </message>
+    <message>
+        <source>Use a range of at least {} mT, or sensors {} mm or more from the centre.</source>
+        <translation>请使用至少 {} mT 的量程，或使传感器距中心 {} mm 或更远。</translation>
+    </message>
+    <message>
+        <source>Use 1, 1.5, 2.5, 3, 4.5, 5, 7.5, 9, 15, 22.5 or 45 degrees.</source>
+        <translation>请使用 1、1.5、2.5、3、4.5、5、7.5、9、15、22.5 或 45 度。</translation>
+    </message>
+    <message>
+        <source>Check the radius of the sensors, the strength of the rotor and the noise.</source>
+        <translation>请检查传感器半径、转子强度和噪声。</translation>
     </message>
 </context>
 <context>

@@ -22,7 +22,7 @@ std::vector<AnalysisKey> searchKeys() {
     using enum AnalysisKeyType;
     std::vector<AnalysisKey> keys = {
         {"objective", Choice, 0, 0, "coverage|conditioning|error",
-         "largest worst reading, best conditioning or smallest predicted error"},
+         "largest worst reading (default), best conditioning or smallest predicted error"},
     };
     for (const AnalysisKey& key : placementKeys()) {
         if (key.name != "placement") {
@@ -34,7 +34,7 @@ std::vector<AnalysisKey> searchKeys() {
         {"theta_deg", Text, 0, 0, "", "region where sensors may sit, from Z; default 0:180"},
         {"phi_deg", Text, 0, 0, "", "region where sensors may sit, from X; default -180:180"},
         {"distance_mm", Number, 0, 1000, "", "least distance between two sensors; default 5"},
-        {"range_mT", Number, 1, 1e4, "", "range that no reading may exceed; default any"},
+        {"range_mT", Number, 1, 1e4, "", "range that no reading of any sensor may exceed; default any"},
         {"threshold_mT", Number, 0, 1e3, "", "least reading that the proof asks for; default 10"},
         {"noise_uT", Number, 1e-3, 1e5, "", "noise of a reading for the predicted error, rms; default 100"},
     };
@@ -42,8 +42,8 @@ std::vector<AnalysisKey> searchKeys() {
     return keys;
 }
 
-/// "20:160" in degrees.
-Result<void> readRegion(const AnalysisValues& values, const char* key, double limit_deg, double& low_rad,
+/// "20:160" in degrees, from `least_deg` to 180.
+Result<void> readRegion(const AnalysisValues& values, const char* key, double least_deg, double& low_rad,
                         double& high_rad) {
     const std::string text = values.text(key);
     if (text.empty()) {
@@ -52,10 +52,11 @@ Result<void> readRegion(const AnalysisValues& values, const char* key, double li
     const std::vector<std::string> parts = splitList(text, ':');
     const std::optional<double> low = parts.size() == 2 ? parseNumber(parts[0]) : std::nullopt;
     const std::optional<double> high = parts.size() == 2 ? parseNumber(parts[1]) : std::nullopt;
-    const bool isRange = low && high && *low <= *high && *low >= -limit_deg && *high <= limit_deg;
+    const bool isRange = low && high && *low <= *high && *low >= least_deg && *high <= 180.0;
     if (!isRange) {
-        return failure(ErrorCode::Usage, fmt::format("{} = '{}' is no range of angles", key, text),
-                       fmt::format("write FROM:TO in degrees, up to {:g}", limit_deg));
+        return failure(
+            ErrorCode::Usage, fmt::format("{} = {} is no range of angles", optionOf(AnalysisKey{key}), text),
+            fmt::format("write FROM:TO in degrees within {:g}:180, the smaller one first", least_deg));
     }
     low_rad = degreesToRadians(*low);
     high_rad = degreesToRadians(*high);
@@ -72,9 +73,8 @@ Result<models::PlacementSearchConfig> configFrom(const AnalysisValues& values) {
     config.objective =
         static_cast<models::PlacementObjective>(choiceIndex(ObjectiveNames, values.text("objective")));
     models::PlacementConstraints& limits = config.constraints;
-    Result<void> read =
-        readRegion(values, "theta_deg", 180.0, limits.lowestTheta_rad, limits.highestTheta_rad);
-    read = read ? readRegion(values, "phi_deg", 180.0, limits.lowestPhi_rad, limits.highestPhi_rad) : read;
+    Result<void> read = readRegion(values, "theta_deg", 0.0, limits.lowestTheta_rad, limits.highestTheta_rad);
+    read = read ? readRegion(values, "phi_deg", -180.0, limits.lowestPhi_rad, limits.highestPhi_rad) : read;
     if (!read) {
         return failure(read.error());
     }

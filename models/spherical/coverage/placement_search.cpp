@@ -6,6 +6,8 @@
 #include "models/spherical/tensor_rotation.h"
 #include "models/spherical/tensor_system.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -293,23 +295,47 @@ std::vector<PlacementResult> paretoOf(std::vector<PlacementResult> all) {
     return front;
 }
 
+/// Sensor 0 is not searched for: a range that it exceeds leaves nothing to find.
+Result<void> checkMainSensor(const PlacementSearchConfig& config) {
+    if (!config.constraints.sensorRange_T) {
+        return {};
+    }
+    constexpr double Milli = 1e-3;
+    const double range_T = *config.constraints.sensorRange_T;
+    const double largest_T = largestReading_T(PlacedSensor(config.device, {}));
+    if (largest_T <= range_T) {
+        return {};
+    }
+    const double radius_m = config.device.radius_m * std::pow(largest_T / range_T, 0.25);
+    return failure(ErrorCode::OutOfRange,
+                   fmt::format("Sensor 0, which stays on +X, reads up to {:.0f} mT: more than the range of "
+                               "{:g} mT.",
+                               largest_T / Milli, range_T / Milli),
+                   fmt::format("Use a range of at least {:.0f} mT, or sensors {:.1f} mm or more from the "
+                               "centre.",
+                               std::ceil(largest_T / Milli), std::ceil(10.0 * radius_m / Milli) / 10.0));
+}
+
 Result<void> checkSearch(const PlacementSearchConfig& config) {
     const double parts = 0.25 * Pi / config.latticeStep_rad;
     if (!(config.latticeStep_rad >= Pi / 180.0) || std::abs(parts - std::round(parts)) > 1e-6) {
         return failure(ErrorCode::OutOfRange,
-                       "The step of the placement lattice must divide 45 degrees and be at least 1 degree.");
+                       "The step of the placement lattice must divide 45 degrees and be at least 1 degree.",
+                       "Use 1, 1.5, 2.5, 3, 4.5, 5, 7.5, 9, 15, 22.5 or 45 degrees.");
     }
     if (config.device.device == SphericalDevice::Additive &&
         config.objective != PlacementObjective::LeastReading) {
         return failure(ErrorCode::OutOfRange, "An additive device has no tensor condition.",
-                       "Use the objective reading, or the exact device.");
+                       "Use the objective coverage, or the exact device.");
     }
     if (config.device.radius_m <= config.device.rotorRadius_m || config.device.strength_T <= 0.0 ||
         config.noise_T <= 0.0 || config.finalists < 1) {
-        return failure(ErrorCode::OutOfRange, "A placement needs sensors outside the rotor, a positive "
-                                              "strength and noise, and at least one finalist.");
+        return failure(ErrorCode::OutOfRange,
+                       "A placement needs sensors outside the rotor, a positive strength and noise, and at "
+                       "least one finalist.",
+                       "Check the radius of the sensors, the strength of the rotor and the noise.");
     }
-    return {};
+    return checkMainSensor(config);
 }
 
 } // namespace

@@ -370,6 +370,41 @@ TEST(PlacementAnalysisTest, winnerIsProvenAndOfThePareto) {
     EXPECT_GT(progress, 0.5);
 }
 
+// What is refused says what to give instead, in the words of the options.
+TEST(PlacementAnalysisTest, everyRefusalHasARemedy) {
+    const std::map<std::string, std::string> wrong[] = {
+        {{"step_deg", "7"}},
+        {{"step_deg", "0.5"}},
+        {{"theta_deg", "-10:50"}},
+        {{"phi_deg", "90"}},
+        {{"objective", "reading"}},
+        {{"objective", "error"}, {"device", "paper"}, {"step_deg", "45"}},
+        {{"range_mT", "250"}, {"step_deg", "45"}},
+        {{"range_mT", "0"}},
+        {{"distance_mm", "200"}, {"step_deg", "45"}},
+        {{"radius_mm", "40"}},
+        {{"q_T", "-0.1"}},
+        {{"noise_uT", "0"}}};
+    for (const auto& texts : wrong) {
+        const auto result = run("place", texts);
+        ASSERT_FALSE(result) << texts.begin()->second;
+        EXPECT_FALSE(result.error().hint.empty()) << result.error().message;
+    }
+    EXPECT_THAT(run("place", {{"objective", "conditioning"}, {"device", "paper"}}).error().hint,
+                testing::HasSubstr("objective coverage"));
+}
+
+// The largest reading of sensor 0 is 3 q = 297.56 mT at 50 mm; it falls with the fourth power of the radius.
+TEST(PlacementAnalysisTest, aRangeThatTheMainSensorExceedsIsRefusedWithTheOneThatWillDo) {
+    const auto small = run("place", {{"range_mT", "200"}, {"step_deg", "45"}});
+    ASSERT_FALSE(small);
+    EXPECT_THAT(small.error().message, testing::HasSubstr("Sensor 0"));
+    EXPECT_THAT(small.error().hint, testing::HasSubstr("at least 298 mT"));
+    EXPECT_THAT(small.error().hint, testing::HasSubstr("55.3 mm")); // 50 (297.56/200)^(1/4) = 55.22
+    EXPECT_TRUE(run("place", {{"range_mT", "298"}, {"step_deg", "45"}}));
+    EXPECT_TRUE(run("place", {{"range_mT", "200"}, {"radius_mm", "55.3"}, {"step_deg", "45"}}));
+}
+
 TEST(PlacementAnalysisTest, regionIsRefusedWhenItIsNone) {
     for (const char* region : {"90", "120:60", "0:400", "a:b"}) {
         const auto result = run("place", {{"step_deg", "45"}, {"theta_deg", region}});
