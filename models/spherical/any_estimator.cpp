@@ -19,31 +19,42 @@ bool hasClosedForm(const AdditiveModel& model) {
            Slack_rad;
 }
 
-AnyEstimator additiveEstimator(const AnyEstimatorConfig& config) {
-    const AdditiveModel model = config.additive;
-    if (config.kind == EstimatorKind::Closed) {
-        return [model](const SphericalReadings& readings_T) -> std::optional<Eigen::Matrix3d> {
-            return representative(rotationOf(additiveInverse(model.strength_T, readings_T)));
+constexpr ChannelMask FirstTwoSensors = {true, true, true, true, true, true, false, false, false};
+
+AdditiveEstimator closedForm(const AdditiveModel& model, bool isFitted) {
+    if (!isFitted) {
+        return [model](const SphericalReadings& readings_T) -> std::optional<AdditiveEstimate> {
+            return AdditiveEstimate{additiveInverse(model.strength_T, readings_T), FirstTwoSensors, true};
         };
     }
-    if (config.kind == EstimatorKind::ClosedFitted) {
-        return [model](const SphericalReadings& readings_T) -> std::optional<Eigen::Matrix3d> {
-            const AdditiveFit fit =
-                fitAdditiveModel(model, readings_T, additiveInverse(model.strength_T, readings_T));
-            if (!fit.hasConverged) {
-                return std::nullopt;
-            }
-            return representative(rotationOf(fit.angles));
-        };
-    }
-    const auto random = std::make_shared<Random>(config.seed); // a function may be copied
-    return [random, model = angleModel(model),
-            swarm = config.swarm](const SphericalReadings& readings_T) -> std::optional<Eigen::Matrix3d> {
-        return representative(rotationOf(estimateBySwarm(model, swarm, readings_T, *random).angles));
+    return [model](const SphericalReadings& readings_T) -> std::optional<AdditiveEstimate> {
+        const AdditiveFit fit =
+            fitAdditiveModel(model, readings_T, additiveInverse(model.strength_T, readings_T));
+        return fit.hasConverged ? std::optional(AdditiveEstimate{fit.angles}) : std::nullopt;
     };
 }
 
 } // namespace
+
+Result<AdditiveEstimator> makeAdditiveEstimator(const AnyEstimatorConfig& config) {
+    HB_ASSERT(config.kind > EstimatorKind::LevenbergMarquardt);
+    if (auto checked = checkSwarmConfig(config.swarm); !checked) {
+        return failure(checked.error());
+    }
+    if (config.kind != EstimatorKind::Swarm) {
+        if (!hasClosedForm(config.additive)) {
+            return failure(ErrorCode::OutOfRange,
+                           "The closed form of the additive model needs sensor 1 at (0, 0, 45 degrees).");
+        }
+        return closedForm(config.additive, config.kind == EstimatorKind::ClosedFitted);
+    }
+    const auto random = std::make_shared<Random>(config.seed); // a function may be copied
+    return AdditiveEstimator([random, model = angleModel(config.additive), swarm = config.swarm](
+                                 const SphericalReadings& readings_T) -> std::optional<AdditiveEstimate> {
+        const SwarmEstimate found = estimateBySwarm(model, swarm, readings_T, *random);
+        return AdditiveEstimate{found.angles, found.channels};
+    });
+}
 
 Result<AnyEstimator> makeAnyEstimator(const AnyEstimatorConfig& config) {
     if (config.kind <= EstimatorKind::LevenbergMarquardt) {
@@ -62,14 +73,15 @@ Result<AnyEstimator> makeAnyEstimator(const AnyEstimatorConfig& config) {
                 return estimate.rotation;
             });
     }
-    if (auto checked = checkSwarmConfig(config.swarm); !checked) {
-        return failure(checked.error());
+    auto additive = makeAdditiveEstimator(config);
+    if (!additive) {
+        return failure(additive.error());
     }
-    if (config.kind != EstimatorKind::Swarm && !hasClosedForm(config.additive)) {
-        return failure(ErrorCode::OutOfRange,
-                       "The closed form of the additive model needs sensor 1 at (0, 0, 45 degrees).");
-    }
-    return additiveEstimator(config);
+    return AnyEstimator([additive = *std::move(additive)](
+                            const SphericalReadings& readings_T) -> std::optional<Eigen::Matrix3d> {
+        const std::optional<AdditiveEstimate> found = additive(readings_T);
+        return found ? std::optional(representative(rotationOf(found->angles))) : std::nullopt;
+    });
 }
 
 EstimatorErrors estimatorErrors(const AnyEstimator& estimator, std::span<const SphericalReadings> readings_T,

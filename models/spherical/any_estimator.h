@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/spherical/additive_model.h"
+#include "models/spherical/additive_uncertainty.h"
 #include "models/spherical/orientation_estimator.h"
 #include "models/spherical/swarm_estimator.h"
 
@@ -36,8 +36,14 @@ struct AnyEstimatorConfig {
 /// Orientation as representative(), empty when the estimator gives none.
 using AnyEstimator = std::function<std::optional<Eigen::Matrix3d>(const SphericalReadings&)>;
 
-/// Errors: of OrientationEstimator::make() and checkSwarmConfig(); OutOfRange for the closed form with sensor
-/// 1 elsewhere than at (0, 0, 45 degrees). The swarm's random numbers go on from call to call.
+/// Estimators of the additive model, with what decides their angles; empty when there is no estimate.
+using AdditiveEstimator = std::function<std::optional<AdditiveEstimate>(const SphericalReadings&)>;
+
+/// Errors: of checkSwarmConfig(); OutOfRange for the closed form with sensor 1 elsewhere than at (0, 0, 45
+/// degrees). The kind is one of the last three. The swarm's random numbers go on from call to call.
+Result<AdditiveEstimator> makeAdditiveEstimator(const AnyEstimatorConfig& config);
+
+/// Errors: of OrientationEstimator::make() and makeAdditiveEstimator().
 Result<AnyEstimator> makeAnyEstimator(const AnyEstimatorConfig& config);
 
 /// Errors over many poses, modulo the symmetry of the rotor.

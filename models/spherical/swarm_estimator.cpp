@@ -195,12 +195,15 @@ SwarmEstimate estimateBySwarm(const AngleModel& model, const SwarmConfig& config
         const SphericalReadings residual_T = readings_T - model(anglesAt(point), &whole);
         Eigen::Vector3d step;
         if (config.rule == SwarmRule::AllNine) {
+            estimate.channels = AllChannels;
             step = projectedStep<9>(config, whole, residual_T);
         } else {
+            estimate.channels = {};
             Eigen::Matrix3d jacobian;
             Eigen::Vector3d chosen_T;
             for (int c = 0; c < 3; ++c) {
                 const int channel = selectedChannel(config, readings_T, residual_T, c);
+                estimate.channels[static_cast<std::size_t>(channel)] = true;
                 jacobian.row(c) = whole.row(channel);
                 chosen_T[c] = residual_T[channel];
             }

@@ -2,6 +2,7 @@
 
 #include "control/base/random.h"
 #include "models/spherical/angle_model.h"
+#include "models/spherical/spherical_sensing.h"
 
 #include <functional>
 #include <optional>
@@ -63,6 +64,7 @@ struct SwarmEstimate {
     double startFitness_T2 = 0.0; ///< where the second stage began
     int swarmIterations = 0;
     int projectionSteps = 0;
+    ChannelMask channels{}; ///< whose residuals the last step of the projection took
 };
 
 /// F = sum over R, Theta, Phi of f^2 (T^2), f by trigger and rule. Known faults of the method, kept: J of the

@@ -3,6 +3,7 @@
 #include "app/analyses/spherical/estimator_comparison.h"
 #include "app/analyses/spherical/placement_choice.h"
 #include "app/analyses/spherical/recorded_rows.h"
+#include "app/analyses/spherical/swarm_settings.h"
 #include "app/analyses/spherical/trajectory_plots.h"
 #include "control/base/units.h"
 #include "models/spherical/calibration_remainder.h"
@@ -36,6 +37,8 @@ std::vector<AnalysisKey> estimatorKeys() {
         {"rng_seed", Integer, 0, 4294967295.0, "", "random numbers of poses, noise and swarm; default 1"},
     };
     keys.insert(keys.end(), own.begin(), own.end());
+    const std::vector<AnalysisKey> search = swarmSettingKeys();
+    keys.insert(keys.end(), search.begin(), search.end());
     return keys;
 }
 
@@ -44,6 +47,10 @@ struct EstimatorSetup {
     EstimatorComparisonConfig config;
     std::string harmonics = "none";
 };
+
+bool runsSwarm(const EstimatorComparisonConfig& config) {
+    return !config.only || *config.only == models::EstimatorKind::Swarm;
+}
 
 /// The rows, sensors and field of a recording.
 Result<void> takeRecording(const AnalysisValues& values, const devices::RecordedFile& file,
@@ -100,6 +107,12 @@ Result<EstimatorSetup> setupOf(const AnalysisValues& values, const devices::Reco
     const std::string only = values.text("only");
     if (!only.empty() && only != "all") {
         config.only = static_cast<models::EstimatorKind>(choiceIndex(models::EstimatorNames, only));
+    }
+    config.swarm = swarmSettings(values);
+    if (!runsSwarm(config)) {
+        if (auto checked = checkNoSwarmSettings(values, "leave it out, or compare 'swarm' too"); !checked) {
+            return failure(checked.error());
+        }
     }
     if (const Result<void> taken =
             file == nullptr ? Result<void>() : takeRecording(values, *file, origin, setup);
@@ -180,6 +193,7 @@ Result<AnalysisOutcome> runEstimators(const AnalysisValues& values, const device
     outcome.body.set("count", comparison->poses).set("in_workspace", comparison->inside);
     outcome.body.set("harmonics", setup->harmonics);
     outcome.body.set("passes", config.passes);
+    outcome.body.set("search", runsSwarm(config) ? swarmJson(config.swarm) : JsonValue());
     outcome.body.set("noise_T", config.rows ? config.sensing.deviation_T[0] : config.noise_T);
     outcome.body.set("failure_deg", radiansToDegrees(config.failureLimit_rad)).set("estimators", rows);
     outcome.plots = trajectoryPlots(*comparison, config.device,

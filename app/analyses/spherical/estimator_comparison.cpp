@@ -82,6 +82,7 @@ models::AnyEstimatorConfig estimatorConfig(const EstimatorComparisonConfig& conf
     estimator.settings.fit.isStrengthFree = config.isStrengthFree;
     estimator.settings.possibleLimit_ratio = config.possibleLimit_ratio;
     estimator.seed = seed;
+    estimator.swarm = config.swarm;
     return estimator;
 }
 

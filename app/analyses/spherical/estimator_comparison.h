@@ -33,6 +33,7 @@ struct EstimatorComparisonConfig {
     double noise_T = 0.0;                            ///< of a reading, rms
     double failureLimit_rad = 0.0017453292519943296; ///< 0.1 degrees: a larger error is a failure
     std::uint64_t seed = 1;                          ///< of poses, noise and swarm
+    models::SwarmConfig swarm;                       ///< settings of the published search
     /// Take the place of poses and readings that are made; their noise is their own.
     std::shared_ptr<const RecordedRows> rows;
     double possibleLimit_ratio = 1.0;          ///< as models::OrientationConfig

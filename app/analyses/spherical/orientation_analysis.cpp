@@ -2,6 +2,7 @@
 
 #include "app/analyses/spherical/orientation_confidence.h"
 #include "app/analyses/spherical/orientation_quality.h"
+#include "app/analyses/spherical/swarm_settings.h"
 #include "app/documents/text/names.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/result_text.h"
@@ -21,6 +22,7 @@ namespace halbench::app {
 namespace {
 
 constexpr std::array VerdictNames = {"determined", "reduced", "ambiguous", "not_determined", "not_converged"};
+constexpr std::array GapNames = {"", "singular", "not_settled", "model_does_not_fit"};
 constexpr std::size_t ListedPoses = 1000;
 constexpr std::size_t ListedProblems = 50;
 constexpr std::size_t RowsBetweenQuestions = 256;
@@ -51,6 +53,8 @@ std::vector<AnalysisKey> orientationKeys() {
     const std::vector<AnalysisKey> confidence = confidenceKeys();
     keys.insert(keys.end(), confidence.begin(), confidence.end());
     keys.insert(keys.end(), own.begin(), own.end());
+    const std::vector<AnalysisKey> search = swarmSettingKeys();
+    keys.insert(keys.end(), search.begin(), search.end());
     return keys;
 }
 
@@ -112,13 +116,31 @@ Result<PoseSolver> tensorSolver(const AnalysisValues& values, Orientation& work)
     });
 }
 
-/// Estimators of the additive model take all nine readings and know no uncertainty.
+/// Cone, intervals and misfit of an estimate of the additive model. Chi-square is that of the noise alone, as
+/// with the others.
+void judgeAdditive(const models::AdditiveModel& model, const models::AdditiveEstimate& found,
+                   const models::SphericalReadings& readings_T, const Orientation& work, OrientedPose& pose) {
+    const double share = work.confidence->errorShare();
+    const double deviation_T = work.confidence->deviation_T() * std::sqrt(1.0 + share);
+    const models::AdditiveUncertainty known =
+        models::additiveUncertainty(model, work.choice.poses(), found, readings_T, deviation_T);
+    pose.gap = known.gap;
+    pose.hasUncertainty = known.gap == models::UncertaintyGap::None;
+    pose.estimate.covariance_rad2 = known.covariance_rad2;
+    pose.estimate.chiSquare = known.chiSquare * (1.0 + share);
+    pose.estimate.freedom = models::AdditiveFreedom;
+    pose.misfit_ratio =
+        (models::additiveReadings_T(model, found.angles) - readings_T).norm() / readings_T.norm();
+}
+
+/// Estimators of the additive model take all nine readings.
 Result<PoseSolver> additiveSolver(const AnalysisValues& values, const Orientation& work) {
     models::AnyEstimatorConfig config;
     config.kind = work.kind;
     config.additive = models::additiveModelOf(work.choice.device, work.choice.placement);
+    config.swarm = work.swarm;
     config.seed = static_cast<std::uint64_t>(values.numberOr("rng_seed", 1.0));
-    auto estimator = models::makeAnyEstimator(config);
+    auto estimator = models::makeAdditiveEstimator(config);
     if (!estimator) {
         return failure(estimator.error());
     }
@@ -126,15 +148,14 @@ Result<PoseSolver> additiveSolver(const AnalysisValues& values, const Orientatio
         OrientedPose pose;
         if (work.readings.used[row] == models::AllChannels) {
             const models::SphericalReadings& readings_T = work.readings.readings_T[row];
-            const std::optional<Eigen::Matrix3d> found = estimator(readings_T);
+            const std::optional<models::AdditiveEstimate> found = estimator(readings_T);
             pose.estimate.verdict =
                 found ? models::OrientationVerdict::Determined : models::OrientationVerdict::NotConverged;
-            pose.estimate.rotation = found.value_or(Eigen::Matrix3d::Identity());
             pose.estimate.strength_T = work.choice.device.strength_T;
-            pose.misfit_ratio =
-                (models::additiveReadings_T(model, models::anglesOf(pose.estimate.rotation)) - readings_T)
-                    .norm() /
-                readings_T.norm();
+            if (found) {
+                pose.estimate.rotation = models::representative(models::rotationOf(found->angles));
+                judgeAdditive(model, *found, readings_T, work, pose);
+            }
         }
         return pose;
     });
@@ -241,6 +262,9 @@ JsonValue poseJson(const Orientation& work, std::size_t row) {
     angle("theta_deg", pose.shaft.theta_rad, isKnown);
     angle("phi_deg", pose.shaft.phi_rad, isKnown);
     angle("cone95_deg", pose.cone_rad, pose.hasUncertainty);
+    document.set("cone95_missing", pose.gap == models::UncertaintyGap::None
+                                       ? JsonValue()
+                                       : JsonValue(GapNames[static_cast<std::size_t>(pose.gap)]));
     document.set("chi_square", pose.hasUncertainty ? JsonValue(pose.estimate.chiSquare) : JsonValue());
     angle("error_deg", pose.error_rad, std::isfinite(pose.error_rad));
     if (pose.estimate.verdict == models::OrientationVerdict::Ambiguous) {
@@ -256,6 +280,7 @@ JsonValue poseJson(const Orientation& work, std::size_t row) {
 JsonValue toBody(const Orientation& work) {
     JsonValue body = JsonValue::object();
     body.set("estimator", models::EstimatorNames[static_cast<std::size_t>(work.kind)]);
+    body.set("search", work.kind == models::EstimatorKind::Swarm ? swarmJson(work.swarm) : JsonValue());
     body.set("noise_T", work.confidence->deviation_T());
     body.set("placement", placementJson(work.choice.device, work.choice.placement));
     body.set("rows", static_cast<std::uint64_t>(work.poses.size()));
@@ -394,6 +419,12 @@ Result<AnalysisOutcome> runOrientation(const AnalysisValues& values, const devic
     const std::string estimator = values.text("estimator");
     work.kind = static_cast<models::EstimatorKind>(
         choiceIndex(models::EstimatorNames, estimator.empty() ? "refined" : estimator));
+    if (work.kind == models::EstimatorKind::Swarm) {
+        work.swarm = swarmSettings(values);
+    } else if (auto checked = checkNoSwarmSettings(values, "add --estimator swarm, or leave it out");
+               !checked) {
+        return failure(checked.error());
+    }
     const Result<PlacementChoice> choice = placementChoice(values);
     if (!choice) {
         return failure(choice.error());

@@ -90,6 +90,27 @@ void noteUncertain(const Orientation& work, Note note) {
     }
 }
 
+/// Poses whose cone would be a guess.
+template <typename Note>
+void noteMissingCones(const Orientation& work, Note note) {
+    const auto with = [&work](models::UncertaintyGap gap) {
+        return std::count_if(work.poses.begin(), work.poses.end(),
+                             [gap](const OrientedPose& pose) { return pose.gap == gap; });
+    };
+    using models::UncertaintyGap;
+    const auto missing = static_cast<std::ptrdiff_t>(work.poses.size()) - with(UncertaintyGap::None);
+    if (missing > 0) {
+        note(Verdict::Doubtful, "cone_not_available",
+             fmt::format("{} of {} poses have no cone and no intervals: {} where the readings used are "
+                         "singular, {} where the search did not settle, {} that the additive model does not "
+                         "explain",
+                         missing, work.poses.size(), with(UncertaintyGap::Singular),
+                         with(UncertaintyGap::NotSettled), with(UncertaintyGap::Misfit)),
+             "see 'cone95_missing'; give the true --noise-uT, or use the estimator 'refined' for a real "
+             "device");
+    }
+}
+
 } // namespace
 
 double percentile(std::vector<double> values, double ratio) {
@@ -152,6 +173,7 @@ DataQuality qualityOf(const Orientation& work) {
         noteSaturation(work, note);
     }
     noteUncertain(work, note);
+    noteMissingCones(work, note);
     noteTruth(work, note);
     const auto chi = ofPoses(work, [](const OrientedPose& pose) {
         return pose.hasUncertainty && pose.estimate.freedom > 0

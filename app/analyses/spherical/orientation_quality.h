@@ -24,6 +24,7 @@ constexpr double BranchLimit_rad = 0.17453292519943295;
 struct OrientedPose {
     models::OrientationEstimate estimate;
     bool hasUncertainty = false;
+    models::UncertaintyGap gap = models::UncertaintyGap::None; ///< why an oriented one has none
     models::OrientationAngles angles;
     models::ShaftDirection shaft;
     models::AngleIntervals interval;
@@ -40,6 +41,7 @@ struct OrientedPose {
 struct Orientation {
     models::EstimatorKind kind = models::EstimatorKind::Refined;
     PlacementChoice choice;
+    models::SwarmConfig swarm; ///< of the estimator 'swarm'
     std::optional<OrientationConfidence> confidence;
     OrientationReadings readings;
     double tensorError_ratio = 0.0; ///< with a stray field as an unknown: rms along its weakest direction

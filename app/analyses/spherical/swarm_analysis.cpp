@@ -1,6 +1,7 @@
 #include "app/analyses/spherical/swarm_analysis.h"
 
 #include "app/analyses/spherical/placement_choice.h"
+#include "app/analyses/spherical/swarm_settings.h"
 #include "control/base/units.h"
 #include "models/spherical/orientation.h"
 #include "models/spherical/rotor_motion.h"
@@ -17,7 +18,7 @@ namespace halbench::app {
 
 namespace {
 
-/// Fitness at which the second stage begins, one search each, T^2.
+/// Fitness at which the second stage begins, one search each unless another is given, T^2.
 constexpr std::array StartLevels_T2 = {1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4};
 constexpr double Solved_rad = 0.0017453292519943296; ///< 0.1 degrees
 
@@ -32,6 +33,7 @@ struct Search {
 struct Convergence {
     PlacementChoice choice;
     models::SwarmConfig config;
+    std::vector<double> levels_T2;
     std::vector<std::vector<double>> fitness_T2; ///< pose by pose, after each iteration of the swarm
     std::vector<Search> searches;
 };
@@ -39,17 +41,16 @@ struct Convergence {
 std::vector<AnalysisKey> swarmKeys() {
     using enum AnalysisKeyType;
     std::vector<AnalysisKey> keys = placementKeys();
-    const std::vector<AnalysisKey> own = {
-        {"trajectory", Integer, 1, 4, "", "published trajectory of 25 poses; default 3"},
-        {"spin_deg", Number, -180, 180, "", "spin along it; default 20"},
-        {"trigger", Choice, 0, 0, "signed|absolute",
-         "when a reading of the main sensor is too small; default signed, as published"},
-        {"rule", Choice, 0, 0, "largest|first|all", "residual that a component counts; default largest"},
-        {"particles", Integer, 2, 128, "", "of the swarm; default 30"},
-        {"iterations", Integer, 1, 1000, "", "of the swarm, at most; default 100"},
-        {"rng_seed", Integer, 0, 4294967295.0, "", "random numbers of the swarm; default 1"},
-    };
-    keys.insert(keys.end(), own.begin(), own.end());
+    keys.push_back({"trajectory", Integer, 1, 4, "", "published trajectory of 25 poses; default 3"});
+    keys.push_back({"spin_deg", Number, -180, 180, "", "spin along it; default 20"});
+    for (AnalysisKey key : swarmSettingKeys()) {
+        if (key.name == "swarm_stop_T2") {
+            key.help =
+                "swarm: fitness at which the projection begins, T^2; default one search for each of seven";
+        }
+        keys.push_back(key);
+    }
+    keys.push_back({"rng_seed", Integer, 0, 4294967295.0, "", "random numbers of the swarm; default 1"});
     return keys;
 }
 
@@ -58,13 +59,10 @@ Result<Convergence> setupOf(const AnalysisValues& values) {
     if (!choice) {
         return failure(choice.error());
     }
-    Convergence work{*choice, {}, {}, {}};
-    models::SwarmConfig& config = work.config;
-    config.trigger =
-        static_cast<models::SwarmTrigger>(choiceIndex(models::SwarmTriggerNames, values.text("trigger")));
-    config.rule = static_cast<models::SwarmRule>(choiceIndex(models::SwarmRuleNames, values.text("rule")));
-    config.particles = static_cast<int>(values.numberOr("particles", config.particles));
-    config.iterations = static_cast<int>(values.numberOr("iterations", config.iterations));
+    Convergence work{*choice, swarmSettings(values), {StartLevels_T2.begin(), StartLevels_T2.end()}, {}, {}};
+    if (values.number("swarm_stop_T2")) {
+        work.levels_T2 = {work.config.swarmStop_T2};
+    }
     return work;
 }
 
@@ -88,7 +86,7 @@ void searchPose(const models::AngleModel& model, const Eigen::Matrix3d& truth, R
     models::estimateBySwarm(model, config, readings_T, random,
                             [&fitness](double best_T2) { fitness.push_back(best_T2); });
     config = work.config;
-    for (const double level_T2 : StartLevels_T2) {
+    for (const double level_T2 : work.levels_T2) {
         config.swarmStop_T2 = level_T2;
         Search search;
         search.level_T2 = level_T2;
@@ -171,7 +169,7 @@ double medianWork(const Convergence& work, double level_T2) {
 
 JsonValue levelsJson(const Convergence& work) {
     JsonValue rows = JsonValue::array();
-    for (const double level_T2 : StartLevels_T2) {
+    for (const double level_T2 : work.levels_T2) {
         JsonValue row = JsonValue::object();
         row.set("start_level_T2", level_T2).set("median_evaluations", medianWork(work, level_T2));
         rows.push(row.set("solved_ratio", solvedRatio(work, level_T2)));
@@ -186,7 +184,7 @@ AnalysisTable tableOf(const Convergence& work) {
         "evaluations", "fitness_T2",     "shaft_error_rad"};
     for (std::size_t i = 0; i < work.searches.size(); ++i) {
         const Search& search = work.searches[i];
-        table.values.insert(table.values.end(), {static_cast<double>(i / StartLevels_T2.size() + 1),
+        table.values.insert(table.values.end(), {static_cast<double>(i / work.levels_T2.size() + 1),
                                                  search.level_T2, search.estimate.startFitness_T2,
                                                  static_cast<double>(search.estimate.swarmIterations),
                                                  static_cast<double>(search.estimate.projectionSteps),
@@ -235,7 +233,7 @@ std::string summaryOf(const Convergence& work) {
     std::string text =
         fmt::format("particle swarm and gradient projection, {} poses\n  {:>14} {:>12} {:>10}\n",
                     work.fitness_T2.size(), "start at T^2", "evaluations", "found");
-    for (const double level_T2 : StartLevels_T2) {
+    for (const double level_T2 : work.levels_T2) {
         text += fmt::format("  {:>14g} {:>12g} {:>8.0f} %\n", level_T2, medianWork(work, level_T2),
                             100.0 * solvedRatio(work, level_T2));
     }
@@ -257,7 +255,7 @@ Result<AnalysisOutcome> runSwarm(const AnalysisValues& values, const devices::Re
     outcome.body.set("placement", placementJson(work->choice.device, work->choice.placement));
     outcome.body.set("trajectory", static_cast<std::int64_t>(values.numberOr("trajectory", 3.0)));
     outcome.body.set("poses", static_cast<std::uint64_t>(work->fitness_T2.size()));
-    outcome.body.set("particles", work->config.particles);
+    outcome.body.set("particles", work->config.particles).set("search", swarmJson(work->config));
     outcome.body.set("by_iteration", iterationsJson(*work)).set("by_start_level", levelsJson(*work));
     outcome.summary = summaryOf(*work);
     outcome.table = tableOf(*work);

@@ -80,6 +80,65 @@ TEST(OrientationQualityTest, anAdditiveEstimatorThatDoesNotFitIsNotGood) {
     EXPECT_NE(elsewhere->quality.verdict, Verdict::Good);
 }
 
+const AnalysisTable& tableOf(const Result<AnalysisOutcome>& result) {
+    return *result->table;
+}
+
+double cell(const AnalysisTable& table, std::size_t row, const char* name) {
+    const auto column = std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin();
+    return table.values[row * table.columns.size() + static_cast<std::size_t>(column)];
+}
+
+// 3000 poses scatter by 0.4 %; 3.5 of that. Tolerances of the sensors only widen the intervals.
+TEST(OrientationQualityTest, additiveEstimatorsHaveIntervalsThatHoldTheTruth) {
+    devices::RecordedFile file = additivePoses(3000, 0.05);
+    Random random(Seed);
+    for (std::size_t i = 0; i < file.recording.values.size(); ++i) {
+        file.recording.values[i] += i % 12 < 9 ? Noise_T * random.gaussian() : 0.0;
+    }
+    for (const char* estimator : {"closed", "closed-fitted"}) {
+        const auto result =
+            run("orient", {{"estimator", estimator}, {"tolerance", "none"}}, {{"truth", true}}, &file);
+        ASSERT_TRUE(result) << result.error().message;
+        EXPECT_EQ(result->quality.verdict, Verdict::Good) << estimator;
+        for (const char* angle : {"alpha", "beta", "gamma"}) {
+            const std::size_t which = std::string_view(angle) == "alpha" ? 9 : *angle == 'b' ? 10 : 11;
+            int held = 0;
+            for (std::size_t row = 0; row < 3000; ++row) {
+                const double off_rad = cell(tableOf(result), row, (std::string(angle) + "_rad").c_str()) -
+                                       file.recording.values[12 * row + which];
+                held += std::abs(off_rad) <=
+                        cell(tableOf(result), row, (std::string(angle) + "_half95_rad").c_str());
+            }
+            EXPECT_NEAR(held / 3000.0, 0.95, 0.014) << estimator << " " << angle;
+        }
+        EXPECT_NEAR(number(result->body, {"chi_square", "freedom"}), 6.0, 0.0);
+        EXPECT_NEAR(number(result->body, {"chi_square", "mean"}), 6.0, 0.22); // 3.5 sqrt(12/3000)
+        const auto assembled = run("orient", {{"estimator", estimator}}, {}, &file);
+        EXPECT_GT(number(assembled->body, {"cone95_deg", "median"}),
+                  10.0 * number(result->body, {"cone95_deg", "median"})); // 3.65 mT beside 0.1 mT
+    }
+}
+
+TEST(OrientationQualityTest, aConeThatWouldBeAGuessIsMissingWithItsReason) {
+    const devices::RecordedFile exact = recordedPoses(200, Noise_T);
+    const auto crossed = run("orient", {{"estimator", "closed"}, {"tolerance", "none"}}, {}, &exact);
+    ASSERT_TRUE(crossed);
+    EXPECT_NE(finding(*crossed, "cone_not_available"), nullptr);
+    const JsonValue& pose = crossed->body.find("poses")->items().front();
+    EXPECT_TRUE(pose.find("cone95_deg")->isNull());
+    EXPECT_TRUE(pose.find("alpha_half95_deg")->isNull());
+    EXPECT_EQ(pose.find("cone95_missing")->text(), "model_does_not_fit");
+    // Without a step of the projection the search ends where it happens to be.
+    const devices::RecordedFile own = additivePoses(20, 0.05);
+    const auto searched = run("orient", {{"estimator", "swarm"}, {"projection_steps", "0"}}, {}, &own);
+    ASSERT_TRUE(searched) << searched.error().message;
+    const JsonValue& loose = searched->body.find("poses")->items().front();
+    EXPECT_EQ(loose.find("cone95_missing")->text(), "not_settled");
+    EXPECT_EQ(number(searched->body, {"search", "projection_steps"}), 0.0);
+    EXPECT_TRUE(crossed->body.find("search")->isNull());
+}
+
 // Readings of the other sign are those of a rotor turned by 90 degrees about its shaft: no residual tells.
 TEST(OrientationQualityTest, readingsOfTheWrongSignAreRefusedWhereTheTruthIsKnown) {
     const devices::RecordedFile healthy = recordedPoses(300, Noise_T);
