@@ -76,7 +76,7 @@ typedef struct {
  * of it. */
 typedef struct {
     const hb_parameter* entries;
-    void* base;
+    uint8_t* base;
     uint16_t count;
     uint16_t octets;
 } hb_parameter_table;

@@ -105,7 +105,7 @@ static uint8_t* variablesAt(const hb_xcp* slave, uint8_t count, uint16_t* offset
 #if HB_FEATURE_FULL
     else if (space == HB_EXTRA) {
         octets = description->extra.octets;
-        base = (uint8_t*)description->extra.base;
+        base = description->extra.base;
         inside = (hb_address)(inside - HB_ADDRESS_EXTRA);
     }
 #endif

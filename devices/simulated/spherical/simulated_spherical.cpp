@@ -122,7 +122,8 @@ public:
         m_plant.advance(subSteps);
     }
     hb_parameter_table settings() override {
-        return {SettingTable, &m_settings, std::size(SettingTable), sizeof m_settings};
+        return {SettingTable, reinterpret_cast<std::uint8_t*>(&m_settings), std::size(SettingTable),
+                sizeof m_settings};
     }
     hb_signal_table truth() const override { return {TruthSignals, std::size(TruthSignals), &m_truth}; }
 

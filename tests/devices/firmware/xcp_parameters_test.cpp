@@ -110,7 +110,7 @@ TEST(XcpParameters, servesTheCallersOwnParameters) {
         HB_PARAM(HB_EXTRA, "world.season", "", HB_UBYTE, World, season, 0.0F, 0.0F, 3.0F, nullptr, "Season")};
     constexpr std::uint32_t Extra = 0xC000;
     hb_htm_config config{};
-    config.extra_parameters = {table, &world, 2, offsetof(World, hidden)};
+    config.extra_parameters = {table, reinterpret_cast<std::uint8_t*>(&world), 2, offsetof(World, hidden)};
     BoardFixture f(&config);
     f.connect();
     EXPECT_EQ(world.pull_N, 2.0F); // the caller's value, not the table's
