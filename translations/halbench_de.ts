@@ -10638,6 +10638,18 @@
         <source>Check the radius of the sensors, the strength of the rotor and the noise.</source>
         <translation>Abstand der Sensoren, Stärke des Rotors und Rauschen prüfen.</translation>
     </message>
+    <message>
+        <source>dead</source>
+        <translation>tot</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>eingefroren</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>am Bereichsende</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

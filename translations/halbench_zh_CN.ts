@@ -10638,6 +10638,18 @@
         <source>Check the radius of the sensors, the strength of the rotor and the noise.</source>
         <translation>请检查传感器半径、转子强度和噪声。</translation>
     </message>
+    <message>
+        <source>dead</source>
+        <translation>无信号</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>卡死</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>超量程</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -170,6 +170,9 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "Silence of the host that ends its session"),
     QT_TRANSLATE_NOOP("Phrases", "rotor"),
     QT_TRANSLATE_NOOP("Phrases", "simulation"),
+    QT_TRANSLATE_NOOP("Phrases", "dead"),
+    QT_TRANSLATE_NOOP("Phrases", "stuck"),
+    QT_TRANSLATE_NOOP("Phrases", "clipped"),
     QT_TRANSLATE_NOOP("Phrases", "sensor"),
     QT_TRANSLATE_NOOP("Phrases", "Half-angle of the cone that holds the shaft with 95 %"),
     // catalogue: what signals and parameters are
