@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <map>
-#include <regex>
+#include <string>
 
 namespace halbench::app {
 namespace {
@@ -14,14 +14,20 @@ namespace {
 Eigen::Matrix3d turnedAsSaid(const std::string& words, double alpha_rad, double beta_rad, double gamma_rad) {
     const std::map<std::string, double> angles = {
         {"alpha", alpha_rad}, {"beta", beta_rad}, {"gamma", gamma_rad}};
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-    const std::regex turn("(alpha|beta|gamma) about ([XYZ])");
-    int turns = 0;
-    for (std::sregex_iterator at(words.begin(), words.end(), turn), end; at != end; ++at, ++turns) {
-        const Eigen::Vector3d axis = Eigen::Vector3d::Unit((*at)[2].str()[0] - 'X');
-        rotation = Eigen::AngleAxisd(angles.at((*at)[1]), axis) * rotation;
+    std::map<std::size_t, Eigen::AngleAxisd> turns; // by their place in the words
+    for (const auto& [name, angle] : angles) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::size_t at = words.find(name + " about " + static_cast<char>('X' + axis));
+            if (at != std::string::npos) {
+                turns.emplace(at, Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(axis)));
+            }
+        }
     }
-    EXPECT_EQ(turns, 3) << words;
+    EXPECT_EQ(turns.size(), 3U) << words;
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    for (const auto& [at, turn] : turns) {
+        rotation = turn * rotation;
+    }
     return rotation;
 }
 
