@@ -4,6 +4,7 @@
 #include "control/base/assert.h"
 #include "control/base/units.h"
 #include "control/law/board_law_run.h"
+#include "models/htm/rotor_step.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,6 +70,7 @@ IdealTrace runIdealLoop(const IdealLoopConfig& config) {
     const control::LoopRows rows(config.law.period_s);
     const long last = std::lround(config.duration_s / rows.interval_s());
     control::BoardLawRun<double> law(config.law);
+    const RotorStep step(config.rotor, rows.interval_s() / config.subStepsPerMillisecond);
     RotorState rotor;
     rotor.angle_rad = config.initialAngle_rad;
     double current_A = 0.0;
@@ -83,8 +85,7 @@ IdealTrace runIdealLoop(const IdealLoopConfig& config) {
         }
         appendRow(trace, time_s, rotor, config.initialAngle_rad, reference.value_rad, current_A);
         for (int i = 0; i < config.subStepsPerMillisecond; ++i) {
-            stepRotor(config.rotor, rotor, config.torqueConstant_Nm_per_A * current_A,
-                      rows.interval_s() / config.subStepsPerMillisecond);
+            step.move(rotor, config.torqueConstant_Nm_per_A * current_A);
         }
     }
     return trace;

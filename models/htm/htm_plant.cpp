@@ -24,15 +24,23 @@ Result<HtmPlant> HtmPlant::make(const HtmParameters& parameters, std::uint64_t s
 HtmPlant::HtmPlant(const HtmParameters& parameters, const AmplifierModel& amplifier, std::uint64_t seed,
                    double subStep_s)
     : m_subStep_s(subStep_s), m_parameters(parameters), m_specimen(drawSpecimen(parameters, seed)),
-      m_amplifier(amplifier, subStep_s), m_sensorNoise(Random(seed).fork(NoiseStream)),
-      m_friction(Random(seed).fork(FrictionStream)) {
+      m_amplifier(amplifier, subStep_s), m_rotorStep(m_specimen.rotor, subStep_s),
+      m_sensorNoise(Random(seed).fork(NoiseStream)), m_friction(Random(seed).fork(FrictionStream)) {
     m_adc.isQuantised = !parameters.isIdealChain;
     m_truth.rotor.angle_rad = parameters.initialAngle_rad;
     for (std::size_t i = 0; i < m_coil.size(); ++i) {
         m_coil[i].temperature_degC = parameters.ambient_degC;
         m_truth.coil_degC[i] = parameters.ambient_degC;
     }
+    drive(m_drive);
     redrawFriction();
+}
+
+void HtmPlant::drive(const HtmDrive& drive) {
+    m_drive = drive;
+    for (std::size_t i = 0; i < 2; ++i) {
+        m_amplifierInput_V[i] = dacOutput_V(m_specimen.dac[i], m_drive.dacCode[i]);
+    }
 }
 
 void HtmPlant::redrawFriction() {
@@ -73,8 +81,7 @@ void HtmPlant::heat(const std::array<double, 2>& current_A) {
 double HtmPlant::torqueOfSubStep_Nm() {
     std::array<double, 2> mean_A{};
     for (std::size_t i = 0; i < 2; ++i) {
-        const AmplifierCurrent current =
-            m_amplifier.step(m_amplifierState[i], dacOutput_V(m_specimen.dac[i], m_drive.dacCode[i]));
+        const AmplifierCurrent current = m_amplifier.step(m_amplifierState[i], m_amplifierInput_V[i]);
         mean_A[i] = current.mean_A;
         m_truth.current_A[i] = current.atEnd_A;
     }
@@ -92,7 +99,7 @@ void HtmPlant::advance(int subSteps) {
     for (int i = 0; i < subSteps; ++i) {
         m_truth.torque_Nm = torqueOfSubStep_Nm();
         const bool wasAtRest = m_truth.rotor.speed_rad_s == 0.0;
-        stepRotor(m_specimen.rotor, m_truth.rotor, m_truth.torque_Nm, m_subStep_s);
+        m_rotorStep.move(m_truth.rotor, m_truth.torque_Nm);
         if (wasAtRest && m_truth.rotor.speed_rad_s != 0.0) {
             redrawFriction();
         }

@@ -2,6 +2,7 @@
 
 #include "control/base/random.h"
 #include "models/htm/htm_specimen.h"
+#include "models/htm/rotor_step.h"
 #include "models/sensors/adc.h"
 
 #include <array>
@@ -47,7 +48,7 @@ public:
     /// Samples sensors at this instant; draws their noise.
     HtmReadings read();
     /// Takes effect at once and holds.
-    void drive(const HtmDrive& drive) { m_drive = drive; }
+    void drive(const HtmDrive& drive);
     /// Lets this many sub-steps pass.
     void advance(int subSteps);
     /// A new plateau begins: friction of this run is drawn anew (also done at each start from rest).
@@ -67,10 +68,12 @@ private:
     HtmParameters m_parameters;
     HtmSpecimen m_specimen;
     AmplifierStepper m_amplifier;
+    RotorStep m_rotorStep;
     std::array<AmplifierState, 2> m_amplifierState;
     std::array<CoilHeatingState, 2> m_coil;
     AdcConfig m_adc;
     HtmDrive m_drive;
+    std::array<double, 2> m_amplifierInput_V{}; ///< of the codes in m_drive
     HtmTruth m_truth;
     Random m_sensorNoise;
     Random m_friction;
