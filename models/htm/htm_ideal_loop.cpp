@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace halbench::models {
 namespace {
@@ -59,8 +60,12 @@ std::function<double(double, double)> rotorAtRest(const RotorConfig& rotor, doub
                                                   double friction_ratio) {
     RotorState state;
     state.friction_ratio = friction_ratio;
-    return [rotor, torqueConstant_Nm_per_A, state](double current_A, double duration_s) mutable {
-        stepRotor(rotor, state, torqueConstant_Nm_per_A * current_A, duration_s);
+    std::optional<RotorStep> step; // of the duration before: a loop asks for the same one again and again
+    return [rotor, torqueConstant_Nm_per_A, state, step](double current_A, double duration_s) mutable {
+        if (!step || step->duration_s() != duration_s) {
+            step.emplace(rotor, duration_s);
+        }
+        step->move(state, torqueConstant_Nm_per_A * current_A);
         return state.angle_rad;
     };
 }

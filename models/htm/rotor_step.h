@@ -16,6 +16,7 @@ struct RotorLag {
 class RotorStep {
 public:
     RotorStep(const RotorConfig& config, double duration_s);
+    double duration_s() const { return m_duration_s; }
     void move(RotorState& state, double torque_Nm) const;
     /// The same, and where the energy went.
     RotorEnergy moveCounted(RotorState& state, double torque_Nm) const;

@@ -173,7 +173,18 @@ struct Normal {
     Matrix information = Matrix::Zero();
     Vector gradient = Vector::Zero();
     double squares = 0.0;
+    // What the poses of the last samples take away: one product over many samples is worth its overhead.
+    static constexpr int Kept = 64;
+    Eigen::MatrixXd mixed = Eigen::MatrixXd::Zero(3 * Kept, Unknowns);
+    Eigen::MatrixXd share = Eigen::MatrixXd::Zero(3 * Kept, Unknowns);
+    int kept = 0;
 };
+
+void takeAwayPoses(Normal& normal) {
+    const Eigen::Index rows = 3 * normal.kept;
+    normal.information.noalias() -= normal.mixed.topRows(rows).transpose() * normal.share.topRows(rows);
+    normal.kept = 0;
+}
 
 // One sample with its pose eliminated.
 void accumulate(Normal& normal, const Vector& p, double gamma, const ChipSample& sample, const Pose& pose) {
@@ -193,8 +204,12 @@ void accumulate(Normal& normal, const Vector& p, double gamma, const ChipSample&
     }
     const Eigen::LDLT<Eigen::Matrix3d> inverse = byPoses.ldlt();
     const Eigen::Matrix<double, 3, Unknowns> share = inverse.solve(mixed);
-    normal.information.noalias() -= mixed.transpose() * share;
+    normal.mixed.middleRows<3>(3 * normal.kept) = mixed;
+    normal.share.middleRows<3>(3 * normal.kept) = share;
     normal.gradient -= share.transpose() * poseGradient;
+    if (++normal.kept == Normal::Kept) {
+        takeAwayPoses(normal);
+    }
 }
 
 // Rows that hold what no motion shows: mean place, rotation of all places about it.
@@ -261,6 +276,7 @@ Result<ChipFit> fitChips(const std::vector<ChipSample>& samples, const ChipCalib
             poses[n] = refined(p, waveNumber_per_m, samples[n], poses[n]);
             accumulate(normal, p, waveNumber_per_m, samples[n], poses[n]);
         }
+        takeAwayPoses(normal);
         noise_T = std::sqrt(normal.squares / freedom);
         information = normal.information / (noise_T * noise_T);
         Vector gradient = normal.gradient / (noise_T * noise_T);
