@@ -108,7 +108,7 @@ function(halbench_test name)
   add_test(NAME ${name}_seeds COMMAND test_${name} --gtest_brief=1 --gtest_filter=*Seeds.*)
   math(EXPR allowed "16 * ${ARG_TIMEOUT}")
   halbench_test_folder(folder ${name}_seeds)
-  set_tests_properties(${name}_seeds PROPERTIES TIMEOUT ${allowed} LABELS statistics ENVIRONMENT "${folder}")
+  set_tests_properties(${name}_seeds PROPERTIES TIMEOUT ${allowed} COST ${allowed} LABELS statistics ENVIRONMENT "${folder}")
 endfunction()
 
 # Parts of one program run at the same time, as do two builds: each has its own folder for the files it writes
@@ -121,6 +121,7 @@ endfunction()
 
 # halbench_test_parts(gui gui_2x 240 "gui;night" "QT_SCALE_FACTOR=2"): the parts of the program test_gui as tests named
 # gui_2x.1 and so on; the time allowed is that of one case, a part has eight times as much, since sanitizers take three.
+# The longest start first (COST), or one of them runs alone at the end.
 function(halbench_test_parts name prefix timeout labels environment)
   get_target_property(sources test_${name} SOURCES)
   list(LENGTH sources files)
@@ -131,7 +132,7 @@ function(halbench_test_parts name prefix timeout labels environment)
     math(EXPR number "${part} + 1")
     add_test(NAME ${prefix}.${number} COMMAND test_${name} --gtest_brief=1)
     halbench_test_folder(folder ${prefix}.${number})
-    set_tests_properties(${prefix}.${number} PROPERTIES TIMEOUT ${allowed} LABELS "${labels}"
+    set_tests_properties(${prefix}.${number} PROPERTIES TIMEOUT ${allowed} COST ${allowed} LABELS "${labels}"
       ENVIRONMENT "GTEST_TOTAL_SHARDS=${parts};GTEST_SHARD_INDEX=${part};${folder};${environment}")
   endforeach()
 endfunction()
