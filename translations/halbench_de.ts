@@ -5315,16 +5315,12 @@
         <translation>der Parameter „{}“ braucht eine endliche Zahl</translation>
     </message>
     <message>
-        <source>give a value from {} to {} {}</source>
-        <translation>geben Sie einen Wert von {} bis {} {} an</translation>
+        <source>give a value from {} to {}</source>
+        <translation>geben Sie einen Wert von {} bis {} an</translation>
     </message>
     <message>
-        <source>parameter &apos;{}&apos; = {} {} is out of range</source>
-        <translation>der Parameter „{}“ = {} {} ist außerhalb des Bereichs</translation>
-    </message>
-    <message>
-        <source>allowed is {} to {} {}</source>
-        <translation>erlaubt ist {} bis {} {}</translation>
+        <source>parameter &apos;{}&apos; = {} is out of range</source>
+        <translation>der Parameter „{}“ = {} ist außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>parameter &apos;{}&apos; = {} needs a whole number</source>

@@ -5315,16 +5315,12 @@
         <translation>参数“{}”需要有限数</translation>
     </message>
     <message>
-        <source>give a value from {} to {} {}</source>
-        <translation>请给出 {} 到 {} {} 的值</translation>
+        <source>give a value from {} to {}</source>
+        <translation>请给出 {} 到 {} 的值</translation>
     </message>
     <message>
-        <source>parameter &apos;{}&apos; = {} {} is out of range</source>
-        <translation>参数“{}”= {} {} 超出范围</translation>
-    </message>
-    <message>
-        <source>allowed is {} to {} {}</source>
-        <translation>允许 {} 到 {} {}</translation>
+        <source>parameter &apos;{}&apos; = {} is out of range</source>
+        <translation>参数“{}”= {} 超出范围</translation>
     </message>
     <message>
         <source>parameter &apos;{}&apos; = {} needs a whole number</source>

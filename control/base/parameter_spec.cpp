@@ -5,6 +5,13 @@
 #include <cmath>
 
 namespace halbench {
+namespace {
+
+std::string quantity(double value, const std::string& unit) {
+    return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
+}
+
+} // namespace
 
 Result<void> checkParameterValue(const ParameterSpec& spec, double value) {
     if (spec.access == ParameterAccess::ReadOnly) {
@@ -13,12 +20,13 @@ Result<void> checkParameterValue(const ParameterSpec& spec, double value) {
     }
     if (!std::isfinite(value)) {
         return failure(ErrorCode::NotFinite, fmt::format("parameter '{}' needs a finite number", spec.name),
-                       fmt::format("give a value from {} to {} {}", spec.min, spec.max, spec.unit));
+                       fmt::format("give a value from {} to {}", spec.min, quantity(spec.max, spec.unit)));
     }
     if (value < spec.min || value > spec.max) {
-        return failure(ErrorCode::OutOfRange,
-                       fmt::format("parameter '{}' = {} {} is out of range", spec.name, value, spec.unit),
-                       fmt::format("allowed is {} to {} {}", spec.min, spec.max, spec.unit));
+        return failure(
+            ErrorCode::OutOfRange,
+            fmt::format("parameter '{}' = {} is out of range", spec.name, quantity(value, spec.unit)),
+            fmt::format("allowed is {} to {}", spec.min, quantity(spec.max, spec.unit)));
     }
     if (spec.isInteger && value != std::floor(value)) {
         return failure(ErrorCode::OutOfRange,

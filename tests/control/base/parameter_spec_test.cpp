@@ -38,6 +38,16 @@ TEST(ParameterSpec, namesTheParameterAndTheAllowedRange) {
     EXPECT_NE(result.error().hint.find("600"), std::string::npos);
 }
 
+TEST(ParameterSpec, writesTheUnitWhereThereIsOne) {
+    ParameterSpec spec = gain();
+    EXPECT_EQ(checkParameterValue(spec, 700.0).error().message,
+              "parameter 'gain.kp' = 700 A/rad is out of range");
+    EXPECT_EQ(checkParameterValue(spec, 700.0).error().hint, "allowed is 0 to 600 A/rad");
+    spec.unit.clear();
+    EXPECT_EQ(checkParameterValue(spec, 700.0).error().message, "parameter 'gain.kp' = 700 is out of range");
+    EXPECT_EQ(checkParameterValue(spec, 700.0).error().hint, "allowed is 0 to 600");
+}
+
 TEST(ParameterSpec, refusesAFractionForAWholeNumber) {
     ParameterSpec spec = gain();
     spec.isInteger = true;
