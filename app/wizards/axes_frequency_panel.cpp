@@ -183,7 +183,7 @@ Result<AxesFrequencyConfig> AxesFrequencyPanel::config() const {
     return config;
 }
 
-void AxesFrequencyPanel::refreshPlan() {
+void AxesFrequencyPanel::makePlan() {
     refreshAxes();
     const DeviceSession& session = bench().session();
     if (session.state() != SessionState::Connected) {

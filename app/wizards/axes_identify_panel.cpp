@@ -137,7 +137,7 @@ Result<IdentifyConfig> AxesIdentifyPanel::config() const {
     return possible ? Result<IdentifyConfig>(config) : failure(possible.error());
 }
 
-void AxesIdentifyPanel::refreshPlan() {
+void AxesIdentifyPanel::makePlan() {
     refreshForm();
     if (bench().session().state() != SessionState::Connected) {
         announce(tr("Connect a device with several axes."), {});

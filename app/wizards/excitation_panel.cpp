@@ -69,6 +69,20 @@ void ExcitationPanel::onDevice() {
     refreshPlan();
 }
 
+void ExcitationPanel::refreshPlan() {
+    m_isPlanOld = !isVisible();
+    if (!m_isPlanOld) {
+        makePlan();
+    }
+}
+
+void ExcitationPanel::showEvent(QShowEvent* event) {
+    WizardPanel::showEvent(event);
+    if (m_isPlanOld) {
+        refreshPlan();
+    }
+}
+
 void ExcitationPanel::refuse(const Error& error) {
     m_outlook->setText(widgets::inWords(error.message) + QStringLiteral(" \u2192 ") +
                        widgets::inWords(error.hint));

@@ -49,8 +49,13 @@ protected:
     /// It ended with one.
     void showFound(bool isUsable);
 
-    virtual void refreshPlan() = 0;
+    /// Something of the plan has changed. A panel that nobody sees makes its plan when it is shown: that takes up
+    /// to a tenth of a second.
+    void refreshPlan();
+    /// What is set now, promised or refused.
+    virtual void makePlan() = 0;
     virtual void start() = 0;
+    void showEvent(QShowEvent* event) override;
 
 private:
     enum Page { PreparePage, RunPage, ResultPage };
@@ -62,6 +67,7 @@ private:
     void onProgress(double fraction, const QString& text);
 
     bool m_isCancelling = false;
+    bool m_isPlanOld = true;
     QElapsedTimer m_sinceStart;
     QString m_computing;
 

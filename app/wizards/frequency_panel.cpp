@@ -97,7 +97,7 @@ void FrequencyPanel::refreshWords() {
     refreshPlan();
 }
 
-void FrequencyPanel::refreshPlan() {
+void FrequencyPanel::makePlan() {
     const DeviceSession& session = bench().session();
     const bool isConnected = session.state() == SessionState::Connected;
     const devices::Catalogue catalogue = isConnected ? session.catalogue() : devices::Catalogue{};

@@ -118,7 +118,7 @@ void RelayPanel::replan() {
                   : Result<RelayPlan>(failure(able.error()));
 }
 
-void RelayPanel::refreshPlan() {
+void RelayPanel::makePlan() {
     replan();
     if (!m_plan || !m_config) {
         refuse(m_plan.error());

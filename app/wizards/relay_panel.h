@@ -29,7 +29,7 @@ Q_SIGNALS:
 protected:
     void refreshWords() override;
     void onFileChooser() override;
-    void refreshPlan() override;
+    void makePlan() override;
     void start() override;
 
 private:

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace halbench::widgets {
 namespace {
@@ -77,8 +78,10 @@ void EstimateTable::refreshWords() {
 }
 
 void EstimateTable::setLastTitle(const QString& title) {
-    m_lastTitle = title;
-    refreshWords();
+    if (std::exchange(m_lastTitle, title) != title) {
+        m_rows.clear();
+        refreshWords();
+    }
 }
 
 bool EstimateTable::isNumber(int column) const {
@@ -86,6 +89,10 @@ bool EstimateTable::isNumber(int column) const {
 }
 
 void EstimateTable::setRows(const std::vector<EstimateRow>& rows) {
+    if (!rows.empty() && rows == m_rows) {
+        return;
+    }
+    m_rows = rows;
     setRowCount(static_cast<int>(rows.size()));
     for (int i = 0; i < rowCount(); ++i) {
         const EstimateRow& row = rows[static_cast<std::size_t>(i)];
@@ -163,7 +170,8 @@ void EstimateTable::keyPressEvent(QKeyEvent* event) {
 
 void EstimateTable::changeEvent(QEvent* event) {
     QTableWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange) {
+        m_rows.clear();
         refreshWords();
     }
 }

@@ -16,6 +16,8 @@ struct EstimateRow {
     QString unit;
     QString source;
     QString remark; ///< tooltip: what would supply a value that is missing, or what it means
+
+    bool operator==(const EstimateRow&) const = default;
 };
 
 /// Value +- half of the 95 % interval, with so many digits that the half shows two; read only, copied with
@@ -45,7 +47,8 @@ private:
     void refreshWords();
     bool isNumber(int column) const;
 
-    QString m_lastTitle; ///< empty: the source
+    QString m_lastTitle;             ///< empty: the source
+    std::vector<EstimateRow> m_rows; ///< as shown: values of the device come again and again
 };
 
 /// Value and half-width in the user's notation: {"1.230", "0.021"}.

@@ -186,7 +186,8 @@ Theme currentTheme() {
     if (applied.isValid()) {
         return applied.value<Theme>();
     }
-    return loadTheme("light").value();
+    static const Theme light = loadTheme("light").value(); // a style asks for every cell that it paints
+    return light;
 }
 
 void clearOwnSheet(QWidget& widget) {

@@ -64,6 +64,22 @@ protected:
     RelayPanel panel{bench};
 };
 
+// Its plan takes a tenth of a second, which a user of other panels does not wait for.
+TEST_F(RelayPanelTest, aHiddenPanelPlansWhenItIsShown) {
+    RelayPanel hidden{bench};
+    const auto planned = [&hidden] {
+        const auto labels = hidden.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->text().contains(QStringLiteral("Maximum current"));
+        });
+    };
+    connectMotor("sim:htm?imperfections=off", 0.0);
+    EXPECT_FALSE(planned());
+    EXPECT_FALSE(isEnabled(hidden, "Start experiment"));
+    show(hidden);
+    EXPECT_TRUE(planned());
+}
+
 // Second route: the headless program with the same settings and seed.
 TEST_F(RelayPanelTest, savesTheSameBytesAsTheBatchProgram) {
     QProcess batch;

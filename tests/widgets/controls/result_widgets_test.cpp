@@ -42,6 +42,25 @@ TEST_F(ResultWidgetsTest, aValueThatIsNotIdentifiableHasADashAndItsRemedy) {
     EXPECT_TRUE(QGuiApplication::clipboard()->text().contains("0.00120\t0.00010"));
 }
 
+// Values of the device come again and again: the rows are measured and laid out when one of them is another.
+TEST_F(ResultWidgetsTest, rowsThatAreTheSameStayAsTheyAre) {
+    EstimateTable table;
+    const std::vector<EstimateRow> rows = {{"damping c", 1.2e-3, 1.1e-3, 1.3e-3, "N", "identified", ""}};
+    table.setRows(rows);
+    const QTableWidgetItem* first = table.item(0, 1);
+    table.setRows(rows);
+    EXPECT_EQ(table.item(0, 1), first);
+    std::vector<EstimateRow> others = rows;
+    others.front().remark = "from the sweep";
+    table.setRows(others);
+    EXPECT_EQ(table.item(0, 1)->toolTip(), "from the sweep");
+    table.setLastTitle("Before"); // a column of numbers is aligned otherwise
+    table.setRows(others);
+    EXPECT_TRUE(table.item(0, 4)->textAlignment() & Qt::AlignRight);
+    table.setRows({});
+    EXPECT_EQ(table.rowCount(), 0);
+}
+
 TEST_F(ResultWidgetsTest, aVerdictThatGotMoreWidthGivesItsHeightBack) {
     VerdictView view;
     view.setVerdict(VerdictLevel::Good, "Good",
