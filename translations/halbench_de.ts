@@ -10583,15 +10583,15 @@
         <translation>Rauschen eines üblichen Bauteils: noise_uT ist 0, 25, 100 oder 1000 µT</translation>
     </message>
     <message>
-        <source>Set-point of the rotation about X; ends another motion</source>
+        <source>Set-point of the rotation about X; a change ends another motion</source>
         <translation>Sollwert der Drehung um X; beendet eine andere Bewegung</translation>
     </message>
     <message>
-        <source>Set-point of the rotation about Y; ends another motion</source>
+        <source>Set-point of the rotation about Y; a change ends another motion</source>
         <translation>Sollwert der Drehung um Y; beendet eine andere Bewegung</translation>
     </message>
     <message>
-        <source>Set-point of the rotation about Z; ends another motion</source>
+        <source>Set-point of the rotation about Z; a change ends another motion</source>
         <translation>Sollwert der Drehung um Z; beendet eine andere Bewegung</translation>
     </message>
     <message>
@@ -11031,10 +11031,10 @@
         <translation>Die Bewegung bestimmt jeden Wert. Mehr davon macht die Intervalle kleiner.</translation>
     </message>
     <message>
-        <source>Move the rotor by hand for a minute: tilt it to all sides, up to 45°, and spin it. A simulated rotor moves with motion=5 in its address. The sphere shows which directions of the shaft still need data.
-Nothing is armed, and nothing is changed until you apply it.</source>
-        <translation>Bewegen Sie den Rotor eine Minute lang von Hand: Kippen Sie ihn nach allen Seiten, bis 45°, und drehen Sie ihn. Ein simulierter Rotor bewegt sich mit motion=5 in seiner Adresse. Die Kugel zeigt, in welchen Richtungen der Welle noch Daten fehlen.
-Nichts wird freigegeben, und nichts ändert sich, bis Sie es anwenden.</translation>
+        <source>Move the rotor by hand for a minute: tilt it to all sides, up to 45°, and spin it. A simulated rotor moves with motion=tumble in its address. The sphere shows which directions of the shaft still need data.
+Nothing is armed. The calibration changes when you apply it; a simulated coil is switched meanwhile and set back.</source>
+        <translation>Bewegen Sie den Rotor eine Minute lang von Hand: Kippen Sie ihn nach allen Seiten, bis 45°, und drehen Sie ihn. Ein simulierter Rotor bewegt sich mit motion=tumble in seiner Adresse. Die Kugel zeigt, in welchen Richtungen der Welle noch Daten fehlen.
+Nichts wird freigegeben. Die Kalibrierung ändert sich, wenn Sie sie anwenden; eine simulierte Spule wird unterdessen geschaltet und zurückgesetzt.</translation>
     </message>
     <message>
         <source>error left in a reading</source>

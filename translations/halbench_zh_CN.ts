@@ -10583,15 +10583,15 @@
         <translation>常见器件的噪声：noise_uT 为 0、25、100 或 1000 µT</translation>
     </message>
     <message>
-        <source>Set-point of the rotation about X; ends another motion</source>
+        <source>Set-point of the rotation about X; a change ends another motion</source>
         <translation>绕 X 转动的设定值；结束其他运动</translation>
     </message>
     <message>
-        <source>Set-point of the rotation about Y; ends another motion</source>
+        <source>Set-point of the rotation about Y; a change ends another motion</source>
         <translation>绕 Y 转动的设定值；结束其他运动</translation>
     </message>
     <message>
-        <source>Set-point of the rotation about Z; ends another motion</source>
+        <source>Set-point of the rotation about Z; a change ends another motion</source>
         <translation>绕 Z 转动的设定值；结束其他运动</translation>
     </message>
     <message>
@@ -11031,10 +11031,10 @@
         <translation>该运动已能确定所有值。继续运动可缩小区间。</translation>
     </message>
     <message>
-        <source>Move the rotor by hand for a minute: tilt it to all sides, up to 45°, and spin it. A simulated rotor moves with motion=5 in its address. The sphere shows which directions of the shaft still need data.
-Nothing is armed, and nothing is changed until you apply it.</source>
-        <translation>用手转动转子一分钟：向各个方向倾斜至 45° 并自转。模拟转子在地址中加 motion=5 即可运动。球面显示轴的哪些方向仍缺数据。
-不会使能任何输出，在您应用之前不作任何更改。</translation>
+        <source>Move the rotor by hand for a minute: tilt it to all sides, up to 45°, and spin it. A simulated rotor moves with motion=tumble in its address. The sphere shows which directions of the shaft still need data.
+Nothing is armed. The calibration changes when you apply it; a simulated coil is switched meanwhile and set back.</source>
+        <translation>用手转动转子一分钟：向各个方向倾斜至 45° 并自转。模拟转子在地址中加 motion=tumble 即可运动。球面显示轴的哪些方向仍缺数据。
+不会使能任何输出。应用后校准才会改变；期间模拟线圈会被切换，之后恢复。</translation>
     </message>
     <message>
         <source>error left in a reading</source>

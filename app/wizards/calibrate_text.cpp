@@ -208,10 +208,11 @@ QString handMotionOutlook(const CalibrateConfig& config) {
     if (config.which.empty()) {
         return Words::tr("Choose at least one calibration.");
     }
-    return Words::tr("Move the rotor by hand for a minute: tilt it to all sides, up to 45°, and spin it. A "
-                     "simulated rotor moves with motion=5 in its address. The sphere shows which directions "
-                     "of the shaft still need data.\nNothing is armed, and nothing is changed until you "
-                     "apply it.");
+    return Words::tr(
+        "Move the rotor by hand for a minute: tilt it to all sides, up to 45°, and spin it. A "
+        "simulated rotor moves with motion=tumble in its address. The sphere shows which directions "
+        "of the shaft still need data.\nNothing is armed. The calibration changes when you "
+        "apply it; a simulated coil is switched meanwhile and set back.");
 }
 
 QString handMotionNeeds(bool isEnough, const std::vector<std::string>& missing, const std::string& order) {

@@ -4,15 +4,15 @@
 
 namespace halbench::models {
 
-/// What a rotor with viscous friction keeps of speed and torque after t, for x = c t/J.
+/// Response of a rotor with viscous friction to speed and acceleration after t, for x = c t/J.
 struct RotorLag {
     double mean = 1.0;  ///< (1 - e^-x)/x: mean speed over t, of a unit of speed at its start
     double ramp = 0.5;  ///< (x - 1 + e^-x)/x^2: travel over t^2, of a unit of acceleration
     double decay = 1.0; ///< e^-x: what is left of a unit of speed
 };
 
-/// Steps of one length for one rotor: as stepRotor(), bit for bit, with what depends on the length alone
-/// computed once. For loops over many steps. J > 0, the length not negative.
+/// Motion of one rotor through steps of one length, as stepRotor() describes it. What depends on the length
+/// alone is computed once: for loops over many steps. J > 0, the length not negative.
 class RotorStep {
 public:
     RotorStep(const RotorConfig& config, double duration_s);

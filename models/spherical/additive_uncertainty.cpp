@@ -142,7 +142,6 @@ AdditiveUncertainty additiveUncertainty(const AdditiveModel& model, const Sensor
             uncertainty.gap = UncertaintyGap::Misfit;
             return uncertainty;
         }
-        uncertainty.isWidened = shown_T2 > variance_T2;
         variance_T2 = std::max(variance_T2, shown_T2);
     }
     Eigen::Matrix3d angles_rad2 = variance_T2 * *gain * gain->transpose();

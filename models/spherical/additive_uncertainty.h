@@ -26,7 +26,7 @@ AngleGain inverseGain(double strength_T, const OrientationAngles& angles);
 std::optional<AngleGain> leastSquaresGain(const OrientationJacobian& jacobian, const ChannelMask& used,
                                           double cut_ratio = 1e-3);
 
-/// Angles that some method made of nine readings.
+/// Estimate of the angles, and the readings that decide it.
 struct AdditiveEstimate {
     OrientationAngles angles;
     ChannelMask channels = AllChannels; ///< readings that decide the angles
@@ -41,15 +41,15 @@ enum class UncertaintyGap {
     Misfit      ///< the model leaves so much unexplained that first order says nothing
 };
 
-/// What readings say about an estimate of the additive model, to first order in their errors.
+/// First-order uncertainty of an estimate of the additive model.
 struct AdditiveUncertainty {
     UncertaintyGap gap = UncertaintyGap::None;
-    /// Of the rotation vector in stator axes: A (s^2 G G^T + d d^T) A^T, A = rateMatrix. s is the deviation of
-    /// the readings, or what the model leaves unexplained where that is beyond its 99 % quantile; d is how far
-    /// the angles of a physical rotor would lie, where the readings do not tell by 20 to 1 that it is none.
+    /// Of the rotation vector in stator axes: A (s^2 G G^T + d d^T) A^T, A = rateMatrix. s is the deviation
+    /// of the readings, or what the model leaves unexplained where that is beyond its 99 % quantile; d is how
+    /// far the angles of a physical rotor would lie, where the readings do not tell by 20 to 1 that it is
+    /// none.
     Eigen::Matrix3d covariance_rad2 = Eigen::Matrix3d::Zero();
     double chiSquare = 0.0; ///< of the residuals that no angles explain, with 6 degrees of freedom
-    bool isWidened = false; ///< by the misfit
 };
 /// `physical`: where the sensors are. `deviation_T` of every reading, all their errors together. Source:
 /// resources/help/spherical-theory.md section 5.5.

@@ -152,6 +152,13 @@ void RotorMotion::turnTo(const OrientationAngles& target, double rate_rad_s) {
     m_target = rotationOf(target);
 }
 
+void RotorMotion::setRate(double rate_rad_s) {
+    HB_ASSERT(rate_rad_s > 0.0);
+    if (m_config.kind == MotionKind::SetPoint) {
+        m_config.rate_rad_s = rate_rad_s;
+    }
+}
+
 void RotorMotion::advance(double step_s) {
     const Eigen::Matrix3d before = m_rotation;
     m_time_s += step_s;

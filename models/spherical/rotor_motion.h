@@ -65,6 +65,8 @@ public:
     double time_s() const { return m_time_s; }
     /// From now on, whatever the motion was: towards the target, at most at the rate (positive).
     void turnTo(const OrientationAngles& target, double rate_rad_s);
+    /// Largest rate towards a set-point (positive), now or later; another motion goes on as it is.
+    void setRate(double rate_rad_s);
     void advance(double step_s);
 
 private:

@@ -52,8 +52,9 @@ public:
     /// Samples all sensors at this instant; draws their noise. Field = code * converter().step_T.
     void read(std::span<float> codes);
     void advance(int subSteps);
-    /// As RotorMotion::turnTo().
+    /// As RotorMotion::turnTo() and setRate().
     void turnTo(const OrientationAngles& target, double rate_rad_s) { m_motion.turnTo(target, rate_rad_s); }
+    void setRate(double rate_rad_s) { m_motion.setRate(rate_rad_s); }
     void setCoilCurrent_A(double current_A) { m_current_A = current_A; }
     void setFault(int channel, ChannelFault fault);
 

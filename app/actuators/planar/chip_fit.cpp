@@ -173,14 +173,14 @@ struct Normal {
     Matrix information = Matrix::Zero();
     Vector gradient = Vector::Zero();
     double squares = 0.0;
-    // What the poses of the last samples take away: one product over many samples is worth its overhead.
+    // Schur terms of the last samples: one product over 64 samples costs less than 64 products.
     static constexpr int Kept = 64;
     Eigen::MatrixXd mixed = Eigen::MatrixXd::Zero(3 * Kept, Unknowns);
     Eigen::MatrixXd share = Eigen::MatrixXd::Zero(3 * Kept, Unknowns);
     int kept = 0;
 };
 
-void takeAwayPoses(Normal& normal) {
+void subtractPoseTerms(Normal& normal) {
     const Eigen::Index rows = 3 * normal.kept;
     normal.information.noalias() -= normal.mixed.topRows(rows).transpose() * normal.share.topRows(rows);
     normal.kept = 0;
@@ -208,7 +208,7 @@ void accumulate(Normal& normal, const Vector& p, double gamma, const ChipSample&
     normal.share.middleRows<3>(3 * normal.kept) = share;
     normal.gradient -= share.transpose() * poseGradient;
     if (++normal.kept == Normal::Kept) {
-        takeAwayPoses(normal);
+        subtractPoseTerms(normal);
     }
 }
 
@@ -276,7 +276,7 @@ Result<ChipFit> fitChips(const std::vector<ChipSample>& samples, const ChipCalib
             poses[n] = refined(p, waveNumber_per_m, samples[n], poses[n]);
             accumulate(normal, p, waveNumber_per_m, samples[n], poses[n]);
         }
-        takeAwayPoses(normal);
+        subtractPoseTerms(normal);
         noise_T = std::sqrt(normal.squares / freedom);
         information = normal.information / (noise_T * noise_T);
         Vector gradient = normal.gradient / (noise_T * noise_T);

@@ -210,7 +210,7 @@ namespace {
 constexpr const char* Waiting = "move the rotor";
 constexpr double RecordingShare = 0.9; ///< of the progress
 
-/// Lets the time pass with the coil's current now as it was, now larger by the step.
+/// Lets the time pass with the coil's current now as it was, now another by the step.
 Result<void> waitSwitchingCoil(devices::Device& device, const ProcedureObserver& observer, double duration_s,
                                double coilStep_A) {
     const std::string names[] = {DrivenCurrent};
@@ -218,10 +218,13 @@ Result<void> waitSwitchingCoil(devices::Device& device, const ProcedureObserver&
     if (!before_A) {
         return failure(before_A.error());
     }
+    // Away from the end of what may be set.
+    const auto& range = *device.catalogue().findParameter(DrivenCurrent);
+    const double step_A = before_A->front() + coilStep_A <= range.max ? coilStep_A : -coilStep_A;
     const int pieces = 2 * std::max(1, static_cast<int>(duration_s / (2.0 * CoilDwell_s)));
     Result<void> done;
     for (int i = 0; done && i < pieces; ++i) {
-        const ParameterValue current[] = {{DrivenCurrent, before_A->front() + (i % 2) * coilStep_A}};
+        const ParameterValue current[] = {{DrivenCurrent, before_A->front() + (i % 2) * step_A}};
         done = device.writeParameters(current);
         done = done ? waitObserved(device, observer, duration_s / pieces, RecordingShare * i / pieces,
                                    RecordingShare * (i + 1) / pieces, Waiting)

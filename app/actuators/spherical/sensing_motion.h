@@ -34,9 +34,9 @@ struct SensedMotion {
 /// beyond 3 T, a known orientation that is not a number or beyond one turn without a unit).
 Result<SensedMotion> sensedMotion(const Recording& recording);
 
-/// Listens while the rotor is moved by somebody else. A coil that the device lets a host drive, as a
-/// simulation does, is switched by `coilStep_A` every few seconds and set back at every end. Errors: of the
-/// device, of the abort, of sensedMotion().
+/// Listens while the rotor is moved by hand or by a simulation. A coil that the device lets a host drive, as
+/// a simulation does, is switched by `coilStep_A` every few seconds and set back at every end that the
+/// program sees. Errors: of the device, of the abort, of sensedMotion().
 Result<SensedMotion> recordSensedMotion(devices::Device& device, double duration_s,
                                         const ProcedureObserver& observer, double coilStep_A = 0.0);
 

@@ -147,7 +147,8 @@ Result<PoseSolver> additiveSolver(const AnalysisValues& values, const Orientatio
     return PoseSolver([estimator = *std::move(estimator), model = config.additive, &work](std::size_t row) {
         OrientedPose pose;
         if (work.readings.used[row] == models::AllChannels) {
-            const models::SphericalReadings& readings_T = work.readings.readings_T[row];
+            const models::SphericalReadings readings_T = work.confidence->corrected_T(
+                work.readings.readings_T[row], work.readings.used[row], work.readings.coilCurrent_A[row]);
             const std::optional<models::AdditiveEstimate> found = estimator(readings_T);
             pose.estimate.verdict =
                 found ? models::OrientationVerdict::Determined : models::OrientationVerdict::NotConverged;
@@ -200,7 +201,7 @@ JsonValue chiSquareJson(const Orientation& work) {
     }
     double freedom = 0.0;
     for (const OrientedPose& pose : work.poses) {
-        freedom += pose.isOriented() ? pose.estimate.freedom : 0;
+        freedom += pose.hasUncertainty ? pose.estimate.freedom : 0;
     }
     JsonValue document = JsonValue::object();
     const double count = static_cast<double>(chi.size());

@@ -4,6 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <string>
+
 namespace halbench::app {
 
 namespace {
@@ -90,6 +94,21 @@ void noteUncertain(const Orientation& work, Note note) {
     }
 }
 
+/// Remedy of the reason that most poses have.
+std::string hintOf(models::UncertaintyGap gap) {
+    switch (gap) {
+    case models::UncertaintyGap::Singular:
+        return "see 'cone95_missing'; use '--rule all', or the estimator 'closed-fitted'";
+    case models::UncertaintyGap::NotSettled:
+        return "see 'cone95_missing'; raise --projection-steps, lower --projection-stop-T2, or use '--rule "
+               "all'";
+    case models::UncertaintyGap::None:
+    case models::UncertaintyGap::Misfit:
+        break;
+    }
+    return "see 'cone95_missing'; give the true --noise-uT, or use the estimator 'refined' for a real device";
+}
+
 /// Poses whose cone would be a guess.
 template <typename Note>
 void noteMissingCones(const Orientation& work, Note note) {
@@ -98,6 +117,9 @@ void noteMissingCones(const Orientation& work, Note note) {
                              [gap](const OrientedPose& pose) { return pose.gap == gap; });
     };
     using models::UncertaintyGap;
+    const std::array gaps = {UncertaintyGap::Singular, UncertaintyGap::NotSettled, UncertaintyGap::Misfit};
+    const UncertaintyGap gap = *std::max_element(
+        gaps.begin(), gaps.end(), [&with](auto one, auto other) { return with(one) < with(other); });
     const auto missing = static_cast<std::ptrdiff_t>(work.poses.size()) - with(UncertaintyGap::None);
     if (missing > 0) {
         note(Verdict::Doubtful, "cone_not_available",
@@ -106,8 +128,7 @@ void noteMissingCones(const Orientation& work, Note note) {
                          "explain",
                          missing, work.poses.size(), with(UncertaintyGap::Singular),
                          with(UncertaintyGap::NotSettled), with(UncertaintyGap::Misfit)),
-             "see 'cone95_missing'; give the true --noise-uT, or use the estimator 'refined' for a real "
-             "device");
+             hintOf(gap));
     }
 }
 

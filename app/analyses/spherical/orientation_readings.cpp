@@ -148,17 +148,45 @@ void markSaturated(double largest_T, OrientationReadings& result) {
     result.saturated = std::move(saturated);
 }
 
+/// The board's channel in the place of each reading, which may be named in another order; none where a
+/// reading is no channel of the board.
+std::array<std::optional<unsigned>, models::ChannelCount>
+boardChannels(const Recording& recording, const OrientationReadings& result, const std::string& origin) {
+    const auto own = defaultReadingNames();
+    std::array<std::optional<unsigned>, models::ChannelCount> channels;
+    for (unsigned channel = 0; channel < own.size(); ++channel) {
+        const Result<SensingColumn> column = columnOf(recording, own[channel], "T", origin);
+        for (std::size_t i = 0; column && i < channels.size(); ++i) {
+            if (columnOf(recording, result.names[i], "T", origin)->index == column->index) {
+                channels[i] = channel;
+            }
+        }
+    }
+    return channels;
+}
+
 /// The board knows the ends of its converters and the channels that were switched off.
 Result<void> markLeftOut(const Recording& recording, const std::string& origin, OrientationReadings& result) {
     const Result<SensingColumn> column = columnOf(recording, LeftOutSignal, "", origin);
     if (!column) {
         return column.error().code == ErrorCode::UnknownName ? Result<void>() : failure(column.error());
     }
+    const auto channels = boardChannels(recording, result, origin);
     const std::vector<double> flags = column->values(recording);
     for (std::size_t row = 0; row < flags.size(); ++row) {
-        const auto bits = std::isfinite(flags[row]) ? static_cast<unsigned>(std::lround(flags[row])) : 0U;
-        for (unsigned i = 0; i < models::ChannelCount; ++i) {
-            const bool isOut = ((bits >> i) & 1U) != 0U && result.used[row][i];
+        if (std::isnan(flags[row])) { // a lost row leaves a gap
+            continue;
+        }
+        constexpr double Combinations = 1 << models::ChannelCount;
+        if (!(flags[row] >= 0.0 && flags[row] < Combinations) || flags[row] != std::floor(flags[row])) {
+            return failure(ErrorCode::InvalidInput,
+                           fmt::format("{}: row {}: {} = {} is no whole number from 0 to {}", origin, row + 1,
+                                       LeftOutSignal, formatNumber(flags[row]), Combinations - 1.0),
+                           "record it again, or leave the column out");
+        }
+        const auto bits = static_cast<unsigned>(flags[row]);
+        for (std::size_t i = 0; i < channels.size(); ++i) {
+            const bool isOut = channels[i] && ((bits >> *channels[i]) & 1U) != 0U && result.used[row][i];
             result.leftOut[i] += isOut;
             result.used[row][i] = result.used[row][i] && !isOut;
         }

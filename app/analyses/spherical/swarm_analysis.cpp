@@ -255,7 +255,11 @@ Result<AnalysisOutcome> runSwarm(const AnalysisValues& values, const devices::Re
     outcome.body.set("placement", placementJson(work->choice.device, work->choice.placement));
     outcome.body.set("trajectory", static_cast<std::int64_t>(values.numberOr("trajectory", 3.0)));
     outcome.body.set("poses", static_cast<std::uint64_t>(work->fitness_T2.size()));
-    outcome.body.set("particles", work->config.particles).set("search", swarmJson(work->config));
+    JsonValue search = swarmJson(work->config);
+    if (!values.number("swarm_stop_T2")) {
+        search.set("swarm_stop_T2", JsonValue()); // each of by_start_level
+    }
+    outcome.body.set("particles", work->config.particles).set("search", std::move(search));
     outcome.body.set("by_iteration", iterationsJson(*work)).set("by_start_level", levelsJson(*work));
     outcome.summary = summaryOf(*work);
     outcome.table = tableOf(*work);

@@ -67,11 +67,11 @@ constexpr float FastestRate_rad_s = 174.6F;
 
 const hb_parameter SettingTable[] = {
     SETTING("simulation.alpha", "rad", angle_rad[0], -HalfTurn, HalfTurn,
-            "Set-point of the rotation about X; ends another motion"),
+            "Set-point of the rotation about X; a change ends another motion"),
     SETTING("simulation.beta", "rad", angle_rad[1], -0.5F * HalfTurn, 0.5F * HalfTurn,
-            "Set-point of the rotation about Y; ends another motion"),
+            "Set-point of the rotation about Y; a change ends another motion"),
     SETTING("simulation.gamma", "rad", angle_rad[2], -HalfTurn, HalfTurn,
-            "Set-point of the rotation about Z; ends another motion"),
+            "Set-point of the rotation about Z; a change ends another motion"),
     SETTING("simulation.rate", "rad/s", rate_rad_s, SlowestRate_rad_s, FastestRate_rad_s,
             "Largest rate towards the set-point"),
     SETTING("simulation.coil_current", "A", coilCurrent_A, -100.0F, 100.0F,
@@ -123,7 +123,7 @@ public:
     }
     hb_parameter_table settings() override {
         return {SettingTable, reinterpret_cast<std::uint8_t*>(&m_settings), std::size(SettingTable),
-                sizeof m_settings};
+                offsetof(Settings, fault) + sizeof Settings::fault}; // without padding
     }
     hb_signal_table truth() const override { return {TruthSignals, std::size(TruthSignals), &m_truth}; }
 
@@ -132,8 +132,10 @@ private:
     void applySettings() {
         const float(&angle_rad)[3] = m_settings.angle_rad;
         const bool isSame = std::equal(std::begin(angle_rad), std::end(angle_rad), m_applied.angle_rad);
-        if (!isSame || m_settings.rate_rad_s != m_applied.rate_rad_s) {
+        if (!isSame) {
             m_plant.turnTo({angle_rad[0], angle_rad[1], angle_rad[2]}, m_settings.rate_rad_s);
+        } else if (m_settings.rate_rad_s != m_applied.rate_rad_s) {
+            m_plant.setRate(m_settings.rate_rad_s);
         }
         if (m_settings.coilCurrent_A != m_applied.coilCurrent_A) {
             m_plant.setCoilCurrent_A(m_settings.coilCurrent_A);

@@ -120,6 +120,72 @@ TEST(OrientationQualityTest, additiveEstimatorsHaveIntervalsThatHoldTheTruth) {
     }
 }
 
+/// The recording with a column of flags behind the others.
+devices::RecordedFile withFlags(const devices::RecordedFile& file, double flags) {
+    devices::RecordedFile result = file;
+    auto layout = std::make_shared<StreamLayout>(*file.recording.layout);
+    layout->columns.push_back({"channels_left_out", ""});
+    result.recording.layout = layout;
+    result.recording.values.clear();
+    for (std::size_t row = 0; row < file.recording.rows(); ++row) {
+        const auto first = file.recording.values.begin() + static_cast<std::ptrdiff_t>(12 * row);
+        result.recording.values.insert(result.recording.values.end(), first, first + 12);
+        result.recording.values.push_back(flags);
+    }
+    return result;
+}
+
+// Sensors 0 and 1 in each other's place: bit 0 is the board's field.0.r wherever that stands.
+TEST(OrientationQualityTest, aChannelIsLeftOutByItsNameNotItsPlace) {
+    devices::RecordedFile file = recordedPoses(50, Noise_T);
+    for (std::size_t row = 0; row < 50; ++row) {
+        file.recording.values[12 * row] = 0.0; // dead
+    }
+    const devices::RecordedFile flagged = withFlags(file, 1.0);
+    const std::map<std::string, std::string> swapped = {
+        {"readings",
+         "field.1.r,field.1.theta,field.1.phi,field.0.r,field.0.theta,field.0.phi,field.2.r,field.2."
+         "theta,field.2.phi"},
+        {"placement", "0,0,45,0,0,0,45,45,-90"}};
+    const auto usual = run("orient", {}, {{"truth", true}}, &flagged);
+    const auto other = run("orient", swapped, {{"truth", true}}, &flagged);
+    ASSERT_TRUE(usual) << usual.error().message;
+    ASSERT_TRUE(other) << other.error().message;
+    EXPECT_EQ(number(usual->body, {"determined"}), 50.0);
+    EXPECT_EQ(number(other->body, {"determined"}), 50.0);
+    EXPECT_NEAR(number(other->body, {"truth", "rms_deg"}), number(usual->body, {"truth", "rms_deg"}), 1e-6);
+}
+
+TEST(OrientationQualityTest, flagsThatNoBoardWritesAreRefusedWithTheirRow) {
+    const devices::RecordedFile file = recordedPoses(5, Noise_T);
+    for (const double flags : {-1.0, 0.4, 512.0, 1e300, HUGE_VAL}) {
+        const devices::RecordedFile flagged = withFlags(file, flags);
+        const auto result = run("orient", {}, {}, &flagged);
+        ASSERT_FALSE(result) << flags;
+        EXPECT_EQ(result.error().code, ErrorCode::InvalidInput);
+        EXPECT_NE(result.error().message.find("row 1: channels_left_out"), std::string::npos);
+    }
+    const devices::RecordedFile gap = withFlags(file, NAN); // a row that was lost
+    EXPECT_TRUE(run("orient", {}, {}, &gap));
+}
+
+// Chi-square is of the poses that have it: six degrees of freedom whether or not others have a cone.
+TEST(OrientationQualityTest, freedomIsThatOfThePosesWithAnUncertainty) {
+    devices::RecordedFile mixed = additivePoses(20, 0.05);
+    const devices::RecordedFile physical = recordedPoses(100, Noise_T);
+    const std::size_t columns = mixed.recording.layout->columns.size();
+    for (std::size_t row = 0; row < 100; ++row) {
+        const auto first = physical.recording.values.begin() + static_cast<std::ptrdiff_t>(12 * row);
+        mixed.recording.values.insert(mixed.recording.values.end(), first,
+                                      first + static_cast<std::ptrdiff_t>(columns));
+        mixed.recording.time_s.push_back(1.0 + 0.001 * static_cast<double>(row));
+    }
+    const auto result = run("orient", {{"estimator", "closed"}, {"tolerance", "none"}}, {}, &mixed);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_NE(finding(*result, "cone_not_available"), nullptr);
+    EXPECT_EQ(number(result->body, {"chi_square", "freedom"}), 6.0);
+}
+
 TEST(OrientationQualityTest, aConeThatWouldBeAGuessIsMissingWithItsReason) {
     const devices::RecordedFile exact = recordedPoses(200, Noise_T);
     const auto crossed = run("orient", {{"estimator", "closed"}, {"tolerance", "none"}}, {}, &exact);

@@ -18,7 +18,7 @@ constexpr Row Rows[] = {
     {"positioner-step", QT_TRANSLATE_NOOP("Samples", "Positioner: step of 100 µm along x"),
      "move sim:planar?seed=7 --axis x --reference step,amplitude_um=100 --duration 0.3"},
     {"sphere-turning", QT_TRANSLATE_NOOP("Samples", "Sphere: turning, with its orientation"),
-     "record sim:spherical?seed=7&motion=5 --duration 8 --rate 50"},
+     "record sim:spherical?seed=7&motion=tumble --duration 8 --rate 50"},
 };
 
 } // namespace

@@ -225,6 +225,18 @@ TEST(SimulatedSphericalTest, aHostMovesTheSetPointWhileItRuns) {
     EXPECT_NEAR(sphere.signal("truth.gamma"), 0.4, 1e-6);
 }
 
+TEST(SimulatedSphericalTest, anotherRateAloneEndsNoMotion) {
+    Sphere changed("chain=ideal&motion=tumble");
+    Sphere left("chain=ideal&motion=tumble");
+    changed.board().advanceTo(1.0);
+    left.board().advanceTo(1.0);
+    changed.set("simulation.rate", 2.0);
+    changed.board().advanceTo(3.0);
+    left.board().advanceTo(3.0);
+    EXPECT_EQ(changed.signal("truth.alpha"), left.signal("truth.alpha"));
+    EXPECT_EQ(changed.signal("truth.gamma"), left.signal("truth.gamma"));
+}
+
 // The readings change by the field of the loop times the current; compensated, the orientation does not.
 TEST(SimulatedSphericalTest, aHostDrivesTheCoilWhileItRuns) {
     Sphere sphere("chain=ideal&alpha_deg=10&gamma_deg=20&coil_A=1");
