@@ -11034,7 +11034,7 @@
         <source>Move the rotor by hand for a minute: tilt it to all sides, up to 45°, and spin it. A simulated rotor moves with motion=tumble in its address. The sphere shows which directions of the shaft still need data.
 Nothing is armed. The calibration changes when you apply it; a simulated coil is switched meanwhile and set back.</source>
         <translation>用手转动转子一分钟：向各个方向倾斜至 45° 并自转。模拟转子在地址中加 motion=tumble 即可运动。球面显示轴的哪些方向仍缺数据。
-不会使能任何输出。应用后校准才会改变；期间模拟线圈会被切换，之后恢复。</translation>
+不会使能任何输出。应用后标定才会改变；期间模拟线圈会被切换，之后恢复。</translation>
     </message>
     <message>
         <source>error left in a reading</source>
