@@ -44,8 +44,12 @@ void DriveAxes::takeOrigin() {
     const std::string position = signal(m_axis.roles.position);
     const auto latest = m_bench->history().latest(position);
     m_staleSample_s = latest ? std::optional(latest->time_s) : std::nullopt;
+    m_awaitsOrigin = isStreamed(m_axis);
+}
+
+bool DriveAxes::isStreamed(const devices::AxisSpec& axis) const {
     const std::vector<std::string>& streamed = m_bench->liveSignals().streamed();
-    m_awaitsOrigin = std::find(streamed.begin(), streamed.end(), position) != streamed.end();
+    return std::find(streamed.begin(), streamed.end(), signal(axis.roles.position)) != streamed.end();
 }
 
 void DriveAxes::forgetOrigin() {
@@ -64,19 +68,21 @@ bool DriveAxes::seekOrigins() {
     if (!m_awaitsOrigin) {
         return false;
     }
-    // The board counts every axis from where the mode began, whichever is chosen then.
+    // The board counts every axis from where the mode began, whichever is chosen then: all of them at once,
+    // since their first samples may come in different packets.
+    std::map<std::string, double> positions;
     for (const devices::AxisSpec& axis : all()) {
-        const std::optional<double> position = newPosition(axis);
-        if (axis.id != m_axis.id && position) {
-            m_others[axis.id].origin = position;
+        if (const std::optional<double> position = newPosition(axis)) {
+            positions[axis.id] = *position;
+        } else if (isStreamed(axis)) {
+            return false;
         }
     }
-    const std::optional<double> position = newPosition(m_axis);
-    if (position) {
-        m_motion.origin = position;
-        m_awaitsOrigin = false;
+    for (const auto& [id, position] : positions) {
+        motionOf(id).origin = position;
     }
-    return position.has_value();
+    m_awaitsOrigin = !m_motion.origin;
+    return !m_awaitsOrigin;
 }
 
 double DriveAxes::excursion() const {

@@ -71,6 +71,7 @@ public:
     std::vector<ParameterValue> withAllHeld(std::vector<ParameterValue> values) const;
 
 private:
+    bool isStreamed(const devices::AxisSpec& axis) const;
     std::optional<double> newPosition(const devices::AxisSpec& axis) const;
 
     Workbench* m_bench;

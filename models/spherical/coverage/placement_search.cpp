@@ -225,11 +225,18 @@ double descended_T(const CoverageModel& model, Eigen::Vector3d pose) {
     return least_T;
 }
 
-/// Least of a grid, refined from its lowest poses.
-double leastReading_T(const CoverageModel& model) {
-    constexpr std::size_t Starts = 12;
+struct LowPose {
+    double reading_T = HUGE_VAL;
+    Eigen::Vector3d pose = Eigen::Vector3d::Zero();
+};
+
+/// The lowest pose of each block of a grid: of the whole grid the lowest ones lie in one valley.
+std::vector<LowPose> lowestOfBlocks(const CoverageModel& model) {
+    constexpr int Block = 6; // 15 degrees
     const PoseGrid grid = workspaceGrid(ReadingStep_rad);
-    std::vector<std::pair<double, Eigen::Vector3d>> lowest;
+    const int betas = grid.beta.count / Block + 1;
+    const int gammas = grid.gamma.count / Block + 1;
+    std::vector<LowPose> lowest(static_cast<std::size_t>((grid.alpha.count / Block + 1) * betas * gammas));
     for (int a = 0; a < grid.alpha.count; ++a) {
         for (int b = 0; b < grid.beta.count; ++b) {
             const SpinReadings spin = model.spinReadings(grid.alpha.at(a), grid.beta.at(b));
@@ -240,19 +247,26 @@ double leastReading_T(const CoverageModel& model) {
                 const double worst_T =
                     std::min({largestOfComponent_T(readings_T, 0), largestOfComponent_T(readings_T, 1),
                               largestOfComponent_T(readings_T, 2)});
-                if (lowest.size() < Starts || worst_T < lowest.back().first) {
-                    const auto at =
-                        std::upper_bound(lowest.begin(), lowest.end(), worst_T,
-                                         [](double value, const auto& one) { return value < one.first; });
-                    lowest.insert(at, {worst_T, {grid.alpha.at(a), grid.beta.at(b), gamma_rad}});
-                    lowest.resize(std::min(lowest.size(), Starts));
+                LowPose& low =
+                    lowest[static_cast<std::size_t>((a / Block * betas + b / Block) * gammas + g / Block)];
+                if (worst_T < low.reading_T) {
+                    low = {worst_T, {grid.alpha.at(a), grid.beta.at(b), gamma_rad}};
                 }
             }
         }
     }
+    return lowest;
+}
+
+/// Least of a grid, refined from its lowest valleys.
+double leastReading_T(const CoverageModel& model) {
+    constexpr std::ptrdiff_t Starts = 16;
+    std::vector<LowPose> lowest = lowestOfBlocks(model);
+    std::partial_sort(lowest.begin(), lowest.begin() + Starts, lowest.end(),
+                      [](const LowPose& a, const LowPose& b) { return a.reading_T < b.reading_T; });
     double least_T = HUGE_VAL;
-    for (const auto& [value_T, pose] : lowest) {
-        least_T = std::min(least_T, descended_T(model, pose));
+    for (auto low = lowest.begin(); low != lowest.begin() + Starts; ++low) {
+        least_T = std::min(least_T, descended_T(model, low->pose));
     }
     return least_T;
 }
@@ -343,8 +357,9 @@ PlacementResult& bestOf(PlacementObjective objective, std::vector<PlacementResul
                              [objective](const auto& a, const auto& b) { return isBetter(objective, a, b); });
 }
 
-/// Proves the best placement and gives it the reading of the proof. That is less than the grid's, so another
-/// one may be the best then, and is proven too: until the proven one is.
+/// Proves the best placement and gives it the reading of the proof. Where that is less than the search found,
+/// by more than what the proof leaves open, another one is the best and is proven too. Readings within that
+/// count as equal: mirror images differ in the last digits.
 Result<CoverageProof> proveBest(const PlacementSearchConfig& config, std::vector<PlacementResult>& results,
                                 const WorkControl& control) {
     CoverageProofConfig proof;
@@ -360,9 +375,16 @@ Result<CoverageProof> proveBest(const PlacementSearchConfig& config, std::vector
         for (const ComponentProof& component : proven->component) {
             best.least_T = std::min(best.least_T, component.least_T);
         }
-        if (&bestOf(config.objective, results) == &best) {
-            return *std::move(proven);
+        if (bestOf(config.objective, results).least_T > best.least_T + proof.gap_T &&
+            config.objective == PlacementObjective::LeastReading) {
+            continue;
         }
+        for (PlacementResult& other : results) {
+            const bool isEqual = other.least_T <= best.least_T + proof.gap_T;
+            other.least_T = isEqual ? std::min(other.least_T, best.least_T) : other.least_T;
+        }
+        std::swap(results.front(), best); // the proven one stands for its equals
+        return *std::move(proven);
     }
 }
 

@@ -42,6 +42,28 @@ TEST(PlacementSearch, assessmentsAreTheKnownOnes) {
     EXPECT_NEAR(recommended.conditioning, 1.846, 5e-4);
 }
 
+// Two faults of the search: on the lattice of 7.5 degrees the best by twelve neighbouring poses of a grid
+// reads less than another placement, and the additive device has hundreds that are alike, of which one is
+// proven.
+TEST(PlacementSearch, theBestIsTheBestByItsProof) {
+    PlacementSearchConfig config;
+    config.latticeStep_rad = degreesToRadians(7.5);
+    const PlacementSearch search = *searchPlacement(config);
+    // assessPlacement() of the placement that was passed over, (-45, -22.5, 60), (-37.5, 22.5, -52.5) deg.
+    const PlacementResult passedOver =
+        assessPlacement({},
+                        {PlacementAngles{},
+                         {degreesToRadians(-45), degreesToRadians(-22.5), degreesToRadians(60)},
+                         {degreesToRadians(-37.5), degreesToRadians(22.5), degreesToRadians(-52.5)}},
+                        100e-6);
+    EXPECT_GE(search.best.least_T, passedOver.least_T - 1e-4);
+    EXPECT_LE(search.proof.bound_T(), search.best.least_T);
+    config.latticeStep_rad = degreesToRadians(45);
+    config.device.device = SphericalDevice::Additive;
+    const PlacementSearch alike = *searchPlacement(config);
+    EXPECT_EQ(alike.pareto.front().least_T, alike.best.least_T);
+}
+
 // The 5-degree lattice is searched at night.
 TEST(PlacementSearch, coarseLatticeIsSearchedWithProofAndParetoTable) {
     PlacementSearchConfig config;
@@ -58,7 +80,8 @@ TEST(PlacementSearch, coarseLatticeIsSearchedWithProofAndParetoTable) {
         EXPECT_TRUE(search.pareto[i].conditioning < search.pareto[i - 1].conditioning ||
                     search.pareto[i].deviation_rad < search.pareto[i - 1].deviation_rad);
     }
-    // The set and the best say the same of one placement, and none of the set reads more than the proven best.
+    // The set and the best say the same of one placement, and none of the set reads more than the proven
+    // best.
     EXPECT_EQ(search.pareto.front().least_T, search.best.least_T);
     EXPECT_EQ(search.pareto.front().placement[1].gamma_rad, search.best.placement[1].gamma_rad);
     // The other objectives each improve on it in their own figure.
