@@ -41,9 +41,12 @@ void DriveAxes::clearMotion() {
 
 void DriveAxes::takeOrigin() {
     m_motion.origin.reset();
-    const std::string position = signal(m_axis.roles.position);
-    const auto latest = m_bench->history().latest(position);
-    m_staleSample_s = latest ? std::optional(latest->time_s) : std::nullopt;
+    m_staleSample_s.clear();
+    for (const devices::AxisSpec& axis : all()) {
+        if (const auto latest = m_bench->history().latest(signal(axis.roles.position))) {
+            m_staleSample_s[axis.id] = latest->time_s;
+        }
+    }
     m_awaitsOrigin = isStreamed(m_axis);
 }
 
@@ -57,10 +60,12 @@ void DriveAxes::forgetOrigin() {
     m_awaitsOrigin = false;
 }
 
-/// Nothing without a sample that is newer than the stale one.
+/// Nothing without a sample that is newer than the axis's stale one.
 std::optional<double> DriveAxes::newPosition(const devices::AxisSpec& axis) const {
     const auto latest = m_bench->history().latest(signal(axis.roles.position));
-    const bool isNew = latest && latest->time_s != m_staleSample_s && std::isfinite(latest->value);
+    const auto stale = m_staleSample_s.find(axis.id);
+    const bool isNew = latest && std::isfinite(latest->value) &&
+                       (stale == m_staleSample_s.end() || latest->time_s != stale->second);
     return isNew ? std::optional(latest->value) : std::nullopt;
 }
 

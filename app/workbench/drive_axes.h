@@ -80,7 +80,7 @@ private:
     AxisMotion m_motion;
     std::map<std::string, AxisMotion> m_others; ///< by axis
     bool m_awaitsOrigin = false;
-    std::optional<double> m_staleSample_s; ///< the position's last sample before
+    std::map<std::string, double> m_staleSample_s; ///< each axis's last sample before
 };
 
 } // namespace halbench::app

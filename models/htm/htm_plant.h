@@ -10,13 +10,13 @@
 
 namespace halbench::models {
 
-/// What the board's converter reads: codes as real numbers; the ideal chain keeps their fractions.
+/// Readings of the board's converter: codes as real numbers; the ideal chain keeps their fractions.
 struct HtmReadings {
     std::array<double, 2> hallCode{};
     std::array<double, 2> temperatureCode{};
 };
 
-/// What the board drives. `amplitude_A` is used by the ideal chain only, where torque = phi I.
+/// Outputs of the board. `amplitude_A` is used by the ideal chain only, where torque = phi I.
 struct HtmDrive {
     std::array<double, 2> dacCode{2048.0, 2048.0};
     double amplitude_A = 0.0;

@@ -11,8 +11,8 @@ namespace halbench::models {
 /// that the estimate does not use.
 using AngleGain = Eigen::Matrix<double, 3, ChannelCount>;
 
-/// Of additiveInverse() at the model's own readings of the pose: with (Theta, Phi) pairs T0, T1, c = cos 2
-/// gamma, s = sin 2 gamma and U, V as there,
+/// Gain of additiveInverse() at the model's own readings of the pose: with (Theta, Phi) pairs T0, T1, c = cos
+/// 2 gamma, s = sin 2 gamma and U, V as there,
 ///   dgamma = (c dR1 - s dR0)/(6 q cos^2 b),
 ///   dU = c dT0 + s dT1 + 2 V dgamma,   dV = c dT1 - s dT0 - 2 U dgamma,
 ///   dalpha = -(cos a, sin a).dV/(2 q cos b),   dcos = (-sin a, cos a).dV/(2 q),

@@ -375,13 +375,13 @@ Result<CoverageProof> proveBest(const PlacementSearchConfig& config, std::vector
         for (const ComponentProof& component : proven->component) {
             best.least_T = std::min(best.least_T, component.least_T);
         }
-        if (bestOf(config.objective, results).least_T > best.least_T + proof.gap_T &&
-            config.objective == PlacementObjective::LeastReading) {
+        const bool isByReading = config.objective == PlacementObjective::LeastReading;
+        const double equal_T = best.least_T + (isByReading ? proof.gap_T : 0.0);
+        if (isByReading && bestOf(config.objective, results).least_T > equal_T) {
             continue;
         }
         for (PlacementResult& other : results) {
-            const bool isEqual = other.least_T <= best.least_T + proof.gap_T;
-            other.least_T = isEqual ? std::min(other.least_T, best.least_T) : other.least_T;
+            other.least_T = other.least_T <= equal_T ? std::min(other.least_T, best.least_T) : other.least_T;
         }
         std::swap(results.front(), best); // the proven one stands for its equals
         return *std::move(proven);
