@@ -25,6 +25,7 @@ LoopConditions fromConstants(const std::map<std::string, double>& constants) {
         StrayField stray;
         stray.amplitude_T = *field;
         stray.coefficient_T_per_A = constant("k_s").value_or(0.0);
+        stray.sensorTemperature_per_K = constant("S_TC").value_or(0.0);
         conditions.stray = stray;
     }
     return conditions;

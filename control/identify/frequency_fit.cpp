@@ -25,6 +25,11 @@ Complex shape(double damping_1_s, double lag_s, double period_s, double frequenc
     return (1.0 - std::polar(1.0, -frequency_rad_s * period_s)) / period_s * sum;
 }
 
+/// What a shift of the angle by the current looks like: the sensors show the current of the sample before.
+Complex oneSampleLate(double period_s, double frequency_rad_s) {
+    return std::polar(1.0, -frequency_rad_s * period_s);
+}
+
 /// One linear step around `damping_1_s`: columns k, feed-through and k da.
 struct Step {
     LinearFit fit;
@@ -48,8 +53,9 @@ Result<Step> stepAround(std::span<const PlantPoint> points, double period_s, dou
         const double variance =
             points[i].radius * points[i].radius / (2.0 * fisherQuantileOfTwo(0.05, freedom));
         const auto row = static_cast<Eigen::Index>(2 * i);
-        design.row(row) << value.real(), 1.0, slope.real();
-        design.row(row + 1) << value.imag(), 0.0, slope.imag();
+        const Complex through = oneSampleLate(period_s, w);
+        design.row(row) << value.real(), through.real(), slope.real();
+        design.row(row + 1) << value.imag(), through.imag(), slope.imag();
         observed(row) = points[i].value.real();
         observed(row + 1) = points[i].value.imag();
         weights(row) = weights(row + 1) = 1.0 / variance;
@@ -91,9 +97,9 @@ FrequencyFit resultOf(const Step& step, std::size_t points, double lag_s, double
 
 std::complex<double> sampledPlantResponse(const SampledPlantModel& rotor, double period_s,
                                           double frequency_rad_s) {
-    return rotor.feedthrough_rad_per_A + rotor.accelerationGain_rad_s2_A * shape(rotor.dampingRate_1_s,
-                                                                                 rotor.lag_s, period_s,
-                                                                                 frequency_rad_s);
+    return rotor.feedthrough_rad_per_A * oneSampleLate(period_s, frequency_rad_s) +
+           rotor.accelerationGain_rad_s2_A *
+               shape(rotor.dampingRate_1_s, rotor.lag_s, period_s, frequency_rad_s);
 }
 
 Result<FrequencyFit> fitSampledPlant(std::span<const PlantPoint> points, double period_s, double lag_s,

@@ -9,8 +9,8 @@
 namespace halbench::control {
 
 /// A rotor under held current as the loop sees it: psi'' + a psi' = k i, the current behind its command by a
-/// lag of first order, and an angle that the current itself shifts at once (what the compensation of the
-/// coils' stray field leaves).
+/// lag of first order, and an angle that the current itself shifts (what the compensation of the coils' stray
+/// field leaves). A sample is taken before its own current is set, so that it shows the current before.
 struct SampledPlantModel {
     double dampingRate_1_s = 0.0;           ///< a = c/J
     double accelerationGain_rad_s2_A = 0.0; ///< k = phi/J
@@ -20,7 +20,8 @@ struct SampledPlantModel {
 
 /// Command to sampled angle at e^(j w T), by Poisson's sum over the images of the sampling
 ///
-///     G = kappa + (1 - e^(-j w T))/T sum_n k / ((j w_n)^2 (j w_n + a)(1 + lag j w_n)),   w_n = w + 2 pi n/T
+///     G = kappa e^(-j w T) + (1 - e^(-j w T))/T sum_n k / ((j w_n)^2 (j w_n + a)(1 + lag j w_n)),   w_n = w
+///     + 2 pi n/T
 ///
 /// with 401 of them: 1e-6 of the value, or better. 0 < w <= pi/T.
 std::complex<double> sampledPlantResponse(const SampledPlantModel& rotor, double period_s,

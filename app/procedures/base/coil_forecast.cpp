@@ -67,6 +67,11 @@ Result<CoilTemperatures> readCoilTemperatures(devices::Device& device) {
     return CoilTemperatures{*highest, *lowest};
 }
 
+double CoilTemperatures::sensorExcess_K() const {
+    constexpr double Reference_degC = 25.0;
+    return std::max(std::abs(highest_degC - Reference_degC), std::abs(lowest_degC - Reference_degC));
+}
+
 std::optional<double> highestCoil_degC(const devices::Catalogue& catalogue, const Recording& recording) {
     return highestCoil_degC(coilSignals(catalogue), recording);
 }
@@ -82,6 +87,10 @@ std::optional<double> highestCoil_degC(std::span<const std::string> signals, con
         }
     }
     return highest_degC;
+}
+
+double sensorTemperature_per_K(const devices::Catalogue& catalogue) {
+    return std::abs(constantOr(catalogue, "S_TC", 0.0));
 }
 
 models::CoilHeatingConfig coilModel(const devices::Catalogue& catalogue) {

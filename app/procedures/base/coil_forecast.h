@@ -11,6 +11,10 @@ namespace halbench::app {
 struct CoilTemperatures {
     double highest_degC = 25.0;
     double lowest_degC = 25.0;
+
+    /// How far a Hall sensor may be from the temperature that the board takes for it. The board takes that of
+    /// its coil; the sensor is somewhere between it and the 25 degC to which its sensitivity belongs.
+    double sensorExcess_K() const;
 };
 
 /// By all roles coil_temperature.*; 25 degC for a device that has none. Errors: of the device, NotFinite.
@@ -21,6 +25,9 @@ Result<CoilTemperatures> readCoilTemperatures(devices::Device& device);
 std::optional<double> highestCoil_degC(const devices::Catalogue& catalogue, const Recording& recording);
 /// The same of the signals with these names.
 std::optional<double> highestCoil_degC(std::span<const std::string> signals, const Recording& recording);
+
+/// Temperature coefficient of the Hall sensors' sensitivity, the profile's constant S_TC; 0 without.
+double sensorTemperature_per_K(const devices::Catalogue& catalogue);
 
 /// The thermal model of one phase from the profile's constants C_th, R_th, R_a, alpha_copper; what is absent
 /// takes the published motor's value (resources/help/htm-theory.md section 9).

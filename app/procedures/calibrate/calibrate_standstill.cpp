@@ -247,8 +247,15 @@ Result<void> calibrateStray(devices::Device& device, const CalibrateConfig& conf
         refuse(result, "stray_not_calibrated", fit.error());
         return {};
     }
-    const double half = control::studentQuantile(0.975, fit->freedom) * fit->error_T_per_A;
+    const auto temperatures = readCoilTemperatures(device);
+    if (!temperatures) {
+        return failure(temperatures.error());
+    }
+    // Warm coils change the scale of the readings, which the angle does not feel but this coefficient does.
+    const double heat_ratio = sensorTemperature_per_K(device.catalogue()) * temperatures->sensorExcess_K();
     const double value = fit->coefficient_T_per_A;
+    const double half =
+        control::studentQuantile(0.975, fit->freedom) * fit->error_T_per_A + heat_ratio * std::fabs(value);
     result.figures.push_back({"stray.coefficient", "T/A",
                               control::Estimate{value, std::pair(value - half, value + half),
                                                 control::EstimateSource::Identified, "T/A"}});

@@ -20,20 +20,26 @@ using Complex = std::complex<double>;
 /// field is as wrong as they are.
 constexpr double UncalibratedStray_ratio = 0.05;
 
-/// What the compensation of the stray field may be wrong by, from the class of the sensors or a calibration;
-/// less when the points themselves show that hardly any of the angle follows the current at once.
-double strayError_rad_per_A(const std::optional<StrayField>& stray,
-                            const std::optional<control::FrequencyFit>& fit) {
-    if (!stray) {
+/// What the compensation of the stray field may be wrong by, from the class of the sensors or a calibration
+/// and the sensors' heat; less when the points themselves show less, and more when they contradict it.
+double strayError_rad_per_A(const FrequencyRun& run, const std::optional<control::FrequencyFit>& fit) {
+    if (!run.stray) {
         return 0.0;
     }
-    const double unknown_T_per_A = UncalibratedStray_ratio * std::abs(stray->coefficient_T_per_A);
-    const double known_rad_per_A = stray->error_T_per_A.value_or(unknown_T_per_A) / stray->amplitude_T;
+    const StrayField& stray = *run.stray;
+    const double coefficient_T_per_A = std::abs(stray.coefficient_T_per_A);
+    const double heat_ratio = std::abs(stray.sensorTemperature_per_K) * run.sensorExcess_K;
+    const double known_rad_per_A =
+        (stray.error_T_per_A.value_or(UncalibratedStray_ratio * coefficient_T_per_A) +
+         heat_ratio * coefficient_T_per_A) /
+        stray.amplitude_T;
     if (!fit) {
         return known_rad_per_A;
     }
     const auto [low, high] = *fit->feedthrough.interval95;
-    return std::min(known_rad_per_A, std::max(std::abs(low), std::abs(high)));
+    const double shown_rad_per_A = std::max(std::abs(low), std::abs(high));
+    const bool isContradicted = low > known_rad_per_A || high < -known_rad_per_A;
+    return isContradicted ? shown_rad_per_A : std::min(known_rad_per_A, shown_rad_per_A);
 }
 
 Result<void> checkRows(const FrequencyRun& run, double at_Hz, std::size_t first, std::size_t rows) {
@@ -312,7 +318,7 @@ Result<FrequencyResult> estimateFrequency(FrequencyRun run) {
         points.insert(points.end(), more->begin(), more->end());
     }
     result.fit = fitOf(points, run);
-    result.strayError_rad_per_A = strayError_rad_per_A(run.stray, result.fit);
+    result.strayError_rad_per_A = strayError_rad_per_A(run, result.fit);
     for (const control::PlantPoint& point : points) {
         result.points.push_back(judged(point, run, result.strayError_rad_per_A));
     }

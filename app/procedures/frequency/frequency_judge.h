@@ -20,7 +20,8 @@ struct FrequencyRun {
     std::optional<StrayField> stray;
     std::vector<MeasuredStage> stages;
     Recording recording;
-    RowLossCause rowLoss = {}; ///< why rows are missing in it, if any are
+    RowLossCause rowLoss = {};   ///< why rows are missing in it, if any are
+    double sensorExcess_K = 0.0; ///< CoilTemperatures::sensorExcess_K, the larger of before and after
 };
 
 /// Plant, loops, margins and rotor of it; a pure function. Errors: Refused (rows missing), NotFinite.

@@ -35,6 +35,7 @@ struct StrayField {
     double coefficient_T_per_A = 0.0;    ///< k_s, identified or from the profile
     std::optional<double> error_T_per_A; ///< 95 % half-width of k_s; absent = unknown
     bool isCompensated = true;
+    double sensorTemperature_per_K = 0.0; ///< of the sensors' sensitivity, which the board corrects for
 
     bool operator==(const StrayField&) const = default;
 };

@@ -27,5 +27,31 @@ TEST(IdentifyCoverage, aStatedCurrentToleranceHoldsAGainErrorOfTheDriveOfThatSiz
     }
 }
 
+// The board compensates 2.5 mT/A whatever the coils do. At 95 % more than five of 40 miss once in 70 times. A
+// coefficient far on the other side (-8 mT/A) is left out: such a motor passes its speed window and is
+// stopped.
+TEST(IdentifyCoverage, aWrongStrayCoefficientIsHeldOrNotGood) {
+    constexpr int Runs = 40;
+    for (const double coefficient_mT_per_A : {-5.0, -2.5, 0.0, 1.0, 4.0, 5.0, 8.0, 12.0}) {
+        const Coverage coverage =
+            countCoverage(1, Runs, fmt::format("&stray_mT_per_A={}", coefficient_mT_per_A));
+        EXPECT_EQ(coverage.runs, Runs) << coefficient_mT_per_A;
+        for (const int missed : coverage.missedAndGood) {
+            EXPECT_LE(missed, 5) << coefficient_mT_per_A;
+        }
+    }
+}
+
+// Bars that differ, and magnets whose field and torque change with the temperature more than is assumed.
+TEST(IdentifyCoverage, magnetsThatDifferAreHeldOrNotGood) {
+    for (const char* magnets : {"&magnet_scatter=0.05", "&magnet_scatter=0.1", "&magnet_TC=-0.005"}) {
+        const Coverage coverage = countCoverage(1, 40, magnets);
+        EXPECT_EQ(coverage.runs, 40) << magnets;
+        for (const int missed : coverage.missedAndGood) {
+            EXPECT_LE(missed, 5) << magnets;
+        }
+    }
+}
+
 } // namespace
 } // namespace halbench::app
