@@ -271,10 +271,6 @@
         <translation>dem Gerät fehlt ein Signal der Platte</translation>
     </message>
     <message>
-        <source>Check the link.</source>
-        <translation>Prüfen Sie die Verbindung.</translation>
-    </message>
-    <message>
         <source>no rows came from the device</source>
         <translation>vom Gerät kamen keine Zeilen</translation>
     </message>
@@ -453,10 +449,6 @@
     <message>
         <source>the equations of motion have no solution</source>
         <translation>die Bewegungsgleichungen haben keine Lösung</translation>
-    </message>
-    <message>
-        <source>Check the link, and identify again.</source>
-        <translation>Prüfen Sie die Verbindung, und identifizieren Sie neu.</translation>
     </message>
     <message>
         <source>{} whole windows of motion are too few, {} had missing rows</source>
@@ -3647,10 +3639,6 @@
         <translation>bewegen Sie den Rotor</translation>
     </message>
     <message>
-        <source>Check the link, or record longer.</source>
-        <translation>Prüfen Sie die Verbindung, oder zeichnen Sie länger auf.</translation>
-    </message>
-    <message>
         <source>there are no rows</source>
         <translation>es gibt keine Zeilen</translation>
     </message>
@@ -4611,10 +4599,6 @@
         <translation>Wahres Drehmoment der Spulen, nur der Simulation bekannt</translation>
     </message>
     <message>
-        <source>check the link</source>
-        <translation>die Verbindung prüfen</translation>
-    </message>
-    <message>
         <source>{}:1: column &apos;{}&apos; is in &apos;{}&apos;, but {} is in {}</source>
         <translation>{}:1: Spalte „{}“ steht in „{}“, aber {} in {}</translation>
     </message>
@@ -5517,10 +5501,6 @@
     <message>
         <source>too few Hall readings for an ellipse</source>
         <translation>zu wenige Hall-Messwerte für eine Ellipse</translation>
-    </message>
-    <message>
-        <source>record longer</source>
-        <translation>zeichnen Sie länger auf</translation>
     </message>
     <message>
         <source>no usable plateau</source>
@@ -10645,6 +10625,14 @@
     <message>
         <source>clipped</source>
         <translation>am Bereichsende</translation>
+    </message>
+    <message>
+        <source>look for a jump of the angle in the recording, then measure again</source>
+        <translation>suchen Sie in der Aufzeichnung nach einem Sprung des Winkels und messen Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>record longer</source>
+        <translation>zeichnen Sie länger auf</translation>
     </message>
 </context>
 <context>

@@ -271,10 +271,6 @@
         <translation>设备缺少动子的某个信号</translation>
     </message>
     <message>
-        <source>Check the link.</source>
-        <translation>请检查连接。</translation>
-    </message>
-    <message>
         <source>no rows came from the device</source>
         <translation>设备没有发来任何行</translation>
     </message>
@@ -453,10 +449,6 @@
     <message>
         <source>the equations of motion have no solution</source>
         <translation>运动方程无解</translation>
-    </message>
-    <message>
-        <source>Check the link, and identify again.</source>
-        <translation>请检查连接并重新辨识。</translation>
     </message>
     <message>
         <source>{} whole windows of motion are too few, {} had missing rows</source>
@@ -3647,10 +3639,6 @@
         <translation>请转动转子</translation>
     </message>
     <message>
-        <source>Check the link, or record longer.</source>
-        <translation>请检查连接，或延长记录。</translation>
-    </message>
-    <message>
         <source>there are no rows</source>
         <translation>没有数据行</translation>
     </message>
@@ -4611,10 +4599,6 @@
         <translation>线圈的真实转矩，仅仿真可知</translation>
     </message>
     <message>
-        <source>check the link</source>
-        <translation>检查链路</translation>
-    </message>
-    <message>
         <source>{}:1: column &apos;{}&apos; is in &apos;{}&apos;, but {} is in {}</source>
         <translation>{}:1: 列“{}”的单位是“{}”，但 {} 的单位是 {}</translation>
     </message>
@@ -5517,10 +5501,6 @@
     <message>
         <source>too few Hall readings for an ellipse</source>
         <translation>霍尔读数太少，不足以拟合椭圆</translation>
-    </message>
-    <message>
-        <source>record longer</source>
-        <translation>请记录更久</translation>
     </message>
     <message>
         <source>no usable plateau</source>
@@ -10645,6 +10625,14 @@
     <message>
         <source>clipped</source>
         <translation>超量程</translation>
+    </message>
+    <message>
+        <source>look for a jump of the angle in the recording, then measure again</source>
+        <translation>请在记录中查找角度的跳变，然后重新测量</translation>
+    </message>
+    <message>
+        <source>record longer</source>
+        <translation>请延长记录时间</translation>
     </message>
 </context>
 <context>

@@ -135,7 +135,7 @@ void loseRows(CalibrateResult& result, const PlatenMotion& motion) {
     if (motion.recording.lostRows > 0) {
         result.quality.verdict = std::max(result.quality.verdict, Verdict::Doubtful);
         result.quality.findings.push_back(
-            {"rows_lost", fmt::format("{} rows are missing", motion.recording.lostRows), "check the link"});
+            {"rows_lost", fmt::format("{} rows are missing", motion.recording.lostRows), "measure again"});
         nameRowLoss(result.quality, motion.loss);
     }
 }

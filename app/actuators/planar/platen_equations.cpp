@@ -215,10 +215,11 @@ Result<PlatenFit> fitPlaten(const PlatenMotion& motion, const std::vector<models
     fit.windows = static_cast<int>(windows.size());
     fit.leftOut = integrated.leftOut;
     if (fit.windows < SmallestCount) {
-        return failure(ErrorCode::Refused,
-                       fmt::format("{} whole windows of motion are too few, {} had missing rows", fit.windows,
-                                   fit.leftOut),
-                       "Check the link, and identify again.");
+        const Error tooFew{ErrorCode::Refused,
+                           fmt::format("{} whole windows of motion are too few, {} had missing rows",
+                                       fit.windows, fit.leftOut),
+                           "measure again"};
+        return failure(fit.leftOut > 0 ? withCause(tooFew, motion.loss) : tooFew);
     }
     PlatenVector& p = fit.value;
     p.segment<CoilCount>(Gain1).setConstant(1.5);

@@ -321,7 +321,7 @@ private:
             remark(m_result.quality, Verdict::Doubtful, "rows_lost",
                    fmt::format("{} of {} windows of the motion miss rows", m_fit.leftOut,
                                m_fit.leftOut + m_fit.windows),
-                   "check the link");
+                   "measure again");
         }
     }
 

@@ -66,7 +66,7 @@ Result<PlatenMotion> motionFrom(Recording recording) {
     PlatenMotion motion;
     const std::size_t rows = recording.rows();
     if (rows < 2) {
-        return failure(ErrorCode::InvalidInput, "no rows came from the device", "Check the link.");
+        return failure(ErrorCode::InvalidInput, "no rows came from the device", "measure again");
     }
     std::vector<std::vector<double>> pose, current, field;
     for (const char* axis : AxisNames) {
@@ -260,11 +260,13 @@ Result<PlatenMotion> recorded(devices::Device& device, const PlatenBoard& board,
     if (!recording) {
         return failure(recording.error());
     }
+    const RowLossCause loss = causeOfRowLoss(before, device.statistics());
     auto motion = motionFrom(*std::move(recording));
-    if (motion) {
-        motion->loss = causeOfRowLoss(before, device.statistics());
-        motion->duration_s = device.clock().now_s() - start_s;
+    if (!motion) {
+        return failure(withCause(motion.error(), loss));
     }
+    motion->loss = loss;
+    motion->duration_s = device.clock().now_s() - start_s;
     return motion;
 }
 

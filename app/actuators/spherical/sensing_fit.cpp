@@ -196,7 +196,7 @@ void judgeMotion(CalibrateResult& result, const SensedMotion& motion, const Cali
     const bool isStray = isChosen(config, Calibration::Stray);
     if (motion.lostRows > 0) {
         note(result, Verdict::Doubtful, "rows_lost", fmt::format("{} rows are missing", motion.lostRows),
-             "check the link");
+             "measure again");
         nameRowLoss(result.quality, motion.loss);
     }
     if (isHall && motion.temperatureSpan_K < LeastTemperature_K) {

@@ -170,7 +170,7 @@ Result<void> takeOrientations(const Recording& recording, SensedMotion& motion) 
 
 Result<SensedMotion> sensedMotion(const Recording& recording) {
     if (recording.rows() == 0) {
-        return failure(ErrorCode::InvalidInput, "there are no rows", "Check the link, or record longer.");
+        return failure(ErrorCode::InvalidInput, "there are no rows", "record longer");
     }
     SensedMotion motion;
     motion.samples.resize(recording.rows());
@@ -269,10 +269,12 @@ Result<SensedMotion> recordSensedMotion(devices::Device& device, double duration
     if (!recording) {
         return failure(recording.error());
     }
+    const RowLossCause loss = causeOfRowLoss(before, device.statistics());
     auto motion = sensedMotion(*recording);
-    if (motion) {
-        motion->loss = causeOfRowLoss(before, device.statistics());
+    if (!motion) {
+        return failure(withCause(motion.error(), loss));
     }
+    motion->loss = loss;
     return motion;
 }
 

@@ -157,7 +157,7 @@ void AxesEstimate::judge(const IdentifiedAxis& axis, const AxisFit& fit) {
         remark(quality, Verdict::Doubtful, "rows_lost",
                fmt::format("axis {}: {} of {} windows of the motion miss rows", axis.axis, fit.leftOut,
                            fit.leftOut + fit.windows),
-               "check the link");
+               "measure again");
     }
 }
 

@@ -173,7 +173,7 @@ void judgeStretches(IdentifyResult& result, const IdentifyFits& fits) {
         remark(result.quality, Verdict::Refused, "stretch_damaged",
                fmt::format("model inadequate: the residual of one segment is {:.1f} times larger than usual",
                            ratio),
-               "check the link");
+               "look for a jump of the angle in the recording, then measure again");
     } else if (ratio > InadequateStretch_ratio) {
         remark(result.quality, Verdict::Doubtful, "friction_depends_on_speed",
                fmt::format("model inadequate: the residual of one segment is {:.1f} times larger than usual",

@@ -41,5 +41,38 @@ TEST(FrequencyIdentification, dampingIsRefusedWhereItIsClearlyNegativeOnly) {
     }
 }
 
+// phi/J of a rotor that the current drives backwards, and one that may be nothing.
+TEST(FrequencyIdentification, aTorqueConstantThatIsNotPositiveIsNeverGood) {
+    struct Case {
+        double value;
+        std::pair<double, double> interval95;
+        const char* code;
+        Verdict verdict;
+    };
+    FrequencyResult result;
+    result.points.resize(20);
+    for (FrequencyResultPoint& point : result.points) {
+        point.isUsed = true;
+        point.measured.frequency_rad_s = 10.0;
+    }
+    for (const Case& one : {Case{-26.0, {-27.0, -25.0}, "sign_reversed", Verdict::Refused},
+                            Case{-1.0, {-3.0, 1.0}, "sign_reversed", Verdict::Refused},
+                            Case{0.0, {-1.0, 1.0}, "sign_reversed", Verdict::Refused},
+                            Case{26.0, {-1.0, 53.0}, "interval_reaches_zero", Verdict::Doubtful},
+                            Case{2.0, {0.0, 4.0}, "interval_reaches_zero", Verdict::Doubtful}}) {
+        control::FrequencyFit fit;
+        fit.accelerationGain.value = one.value;
+        fit.accelerationGain.interval95 = one.interval95;
+        fit.dampingRate.value = 2.2;
+        fit.dampingRate.interval95 = std::pair(2.0, 2.4);
+        result.fit = fit;
+        const DataQuality quality = judgeFrequency(result);
+        EXPECT_EQ(quality.verdict, one.verdict) << one.value;
+        EXPECT_TRUE(std::any_of(quality.findings.begin(), quality.findings.end(),
+                                [&](const Finding& finding) { return finding.code == one.code; }))
+            << one.value;
+    }
+}
+
 } // namespace
 } // namespace halbench::app

@@ -217,6 +217,49 @@ TEST(IdentifyPhysics, refusesDampingBelowZero) {
     expectNoValue(result);
 }
 
+control::Estimate identified(double value, double low, double high) {
+    control::Estimate estimate;
+    estimate.value = value;
+    estimate.interval95 = std::pair(low, high);
+    estimate.source = control::EstimateSource::Identified;
+    return estimate;
+}
+
+// J = c / (c/J): a given damping and a rotor that something drives have only a negative inertia in common.
+TEST(IdentifyPhysics, refusesInertiaBelowZero) {
+    for (const double inertia_kg_m2 : {-5.5e-4, -1e-9, 0.0}) {
+        IdentifyResult result;
+        result.torqueConstant = identified(1.43e-2, 1.4e-2, 1.46e-2);
+        result.inertia = identified(inertia_kg_m2, inertia_kg_m2 - 1e-4, inertia_kg_m2 + 1e-4);
+        judgePhysics(result, {});
+        EXPECT_EQ(result.quality.verdict, Verdict::Refused) << inertia_kg_m2;
+        EXPECT_NE(findingOf(result, "inertia_below_zero"), nullptr) << inertia_kg_m2;
+        EXPECT_FALSE(result.inertia.value);
+        expectNoValue(result);
+    }
+}
+
+TEST(IdentifyPhysics, doubtsAnIntervalThatReachesZero) {
+    struct Case {
+        std::pair<double, double> inertia, torque;
+        bool isDoubted;
+    };
+    for (const Case& one :
+         {Case{{5e-4, 6e-4}, {1.4e-2, 1.5e-2}, false}, Case{{5e-4, 6e-4}, {-1e-3, 3e-2}, true},
+          Case{{5e-4, 6e-4}, {0.0, 3e-2}, true}, Case{{-1e-4, 1e-3}, {1.4e-2, 1.5e-2}, true},
+          Case{{1e-9, 1e-3}, {1e-9, 3e-2}, false}}) {
+        IdentifyResult result;
+        const auto middle = [](const std::pair<double, double>& interval) {
+            return identified(0.5 * (interval.first + interval.second), interval.first, interval.second);
+        };
+        result.inertia = middle(one.inertia);
+        result.torqueConstant = middle(one.torque);
+        judgePhysics(result, {});
+        EXPECT_EQ(findingOf(result, "interval_reaches_zero") != nullptr, one.isDoubted) << messagesOf(result);
+        EXPECT_EQ(result.quality.verdict == Verdict::Doubtful, one.isDoubted) << messagesOf(result);
+    }
+}
+
 TEST(IdentifyPhysics, aFrictionlessMotorHasNoFrictionAndCanBeTuned) {
     for (const char* uri : {"sim:htm?imperfections=off&Kf=0", "sim:htm?chain=ideal&Kf=0",
                             "sim:htm?imperfections=off&Kf=0&J=3e-4&c=2e-3"}) {
