@@ -6,6 +6,7 @@
 #include "app/documents/text/numbers.h"
 #include "app/headless/command_header.h"
 #include "app/headless/recording_file.h"
+#include "app/headless/recording_integrity.h"
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/excite/travel_reference.h"
 #include "app/procedures/move/move_prediction.h"
@@ -239,7 +240,7 @@ CommandResult runMoveCommand(CommandContext& context, const MoveOptions& options
     if (!moved) {
         return failure(moved.error());
     }
-    header.quality = qualityOf(*moved);
+    addQuality(header.quality, qualityOf(*moved));
     if (!options.out.empty()) {
         const Result<void> written =
             writeRecording(options.out, moved->front().result.recording, **device, {header.started, {}, {}});

@@ -6,6 +6,7 @@
 #include "app/experiments/run_plan.h"
 #include "app/experiments/step_configs.h"
 #include "app/headless/command_header.h"
+#include "app/headless/recording_integrity.h"
 #include "app/headless/reconnecting_device.h"
 
 #include <algorithm>
@@ -90,7 +91,7 @@ CommandResult runAll(CommandContext& context, const RunOptions& options, const E
         return failure(*outcome.stoppedBy);
     }
     ResultHeader header = opened;
-    header.quality = runQuality(outcome);
+    addQuality(header.quality, runQuality(outcome)); // to what is known of the device
     const Result<void> written = writeRunFiles(options.out, header, experiment, outcome, device);
     if (!written) {
         return failure(withCause(written.error(), outcome.stoppedBy));

@@ -62,7 +62,8 @@ std::string comparisonText(const ConfigurationComparison& comparison,
 JsonValue comparisonDocument(ResultHeader header, const Configuration& file,
                              const ConfigurationComparison& comparison,
                              const std::vector<RowOutcome>& outcomes) {
-    header.quality.findings = comparison.findings;
+    std::vector<Finding>& findings = header.quality.findings; // what is known of the device stays
+    findings.insert(findings.end(), comparison.findings.begin(), comparison.findings.end());
     JsonValue source = JsonValue::object();
     source.set("model", file.device.model).set("id", file.device.id);
     source.set("firmware", file.device.firmware).set("written", textOrNull(file.written));

@@ -20,6 +20,7 @@ class Signal:
     lower: float = -1e6
     upper: float = 1e6
     address: int = 0
+    label: str = ""             # in the description, when not the name
 
 
 @dataclass
@@ -153,6 +154,12 @@ class Board:
         self.cycles = 0
         self.idle_ms = 0
         self.has_expired = False
+
+    def describe_otherwise(self, changes):
+        """Signals that have another label, unit or slope in the description; `changes` by name."""
+        for signal in self.signals:
+            for key, value in changes.get(signal.name, {}).items():
+                setattr(signal, key, value)
 
     def stop(self, latch):
         self.latch = latch

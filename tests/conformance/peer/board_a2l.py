@@ -37,7 +37,8 @@ def conversion_name(thing):
 
 
 def measurement(signal):
-    return (f"/begin MEASUREMENT {signal.name} \"signal {signal.name}\" {signal.type} {conversion_name(signal)} 0 0 "
+    name = signal.label or signal.name
+    return (f"/begin MEASUREMENT {name} \"signal {name}\" {signal.type} {conversion_name(signal)} 0 0 "
             f"{signal.lower} {signal.upper}\n  ECU_ADDRESS 0x{signal.address:X}\n  ECU_ADDRESS_EXTENSION 0\n"
             f"  PHYS_UNIT \"{signal.unit}\"\n  /begin IF_DATA XCP /begin DAQ_EVENT VARIABLE "
             "/begin AVAILABLE_EVENT_LIST EVENT 0 EVENT 1 /end AVAILABLE_EVENT_LIST /end DAQ_EVENT /end IF_DATA\n"

@@ -11,7 +11,7 @@ import time
 import unittest
 
 from master import Master
-from relay import Relay
+from relay import Relay, Tap
 from target import program_target, slave_target
 from variants import FOREIGN, HOSTILE
 
@@ -336,6 +336,148 @@ class OtherFirmware(ProgramCase):
         self.assertNotIn("firmware", answer.err)
         self.accept("set", "gain.kp=12")
         self.assertEqual(self.board_value("gain.kp"), 12)
+
+
+class OtherFirmwareOfAMotor(ProgramCase):
+    """The same with a board that can do all procedures, which the slave of this folder cannot: what each has
+    to write is refused before anything is sent, on the wire and in both pages."""
+    SAID = OtherFirmware.SAID
+
+    def setUp(self):
+        self.running = program_target(PROGRAM, "udp").start()
+        self.addCleanup(self.running.stop)
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.environment = os.environ | {"XDG_CACHE_HOME": self.path("cache"),
+                                         "XDG_DATA_HOME": self.path("data")}
+        self.tap = Tap(self.running.address)
+        self.addCleanup(self.tap.stop)
+        self.kept = self.memory()
+        self.own = self.tap.address + "?a2l=" + self.write("own.a2l", self.text)
+        other = self.text.replace(f'"{self.epk}"', '"FW-OTHER"')
+        self.uri = self.tap.address + "?a2l=" + self.write("other.a2l", other)
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.path(name)
+
+    def memory(self):
+        """Every parameter on either page, read by our own master past the tap."""
+        master = Master(self.running.address)
+        master.connect()
+        self.text = master.get_id(4).decode("utf-8")
+        self.epk = master.describe().epk
+        read = {}
+        for page in (0, 1):
+            master.set_page(2, page)
+            read |= {(page, name): master.read_name(name) for name in master.a2l.parameters}
+        active = master.page(1)
+        master.command(0xFE)
+        master.close()
+        return read | {"page": active}
+
+    def prepare(self, verb, *arguments):
+        """On a simulated motor or the board's own description."""
+        answer = Answer([verb, *arguments, "--force"], self.environment)
+        self.assertEqual(answer.code, 0, answer)
+
+    def said(self, *arguments):
+        """The answer of a command that says which description it has and writes nothing."""
+        self.tap.sent.clear()
+        answer = Answer([*arguments, "--json"], self.environment)
+        self.assertIn(f"warning: the board runs firmware '{self.epk}', but {self.SAID}", answer.err, answer)
+        self.assertTrue(self.tap.sent, "the board was asked")
+        self.assertEqual(self.tap.writes(), [], answer)
+        self.assertEqual(self.memory(), self.kept, answer)
+        return answer
+
+    def assert_blocked(self, *arguments):
+        answer = self.said(*arguments)
+        self.assertIn(answer.code, (2, 3), answer)
+        error = answer.json()
+        self.assertEqual((error["schema"], error["exit_code"]), ("halbench.error/1", answer.code), answer)
+        self.assertIn("writing is blocked", error["message"])
+        self.assertIn("description of this firmware", error["hint"])
+
+    def assert_doubtful(self, quality):
+        self.assertEqual(quality["verdict"], "doubtful")
+        self.assertIn("other_firmware", [finding["code"] for finding in quality["findings"]])
+
+    def test_the_tap_sees_what_is_written(self):
+        answer = Answer(["set", self.own, "gain.kp=12"], self.environment)
+        self.assertEqual(answer.code, 0, answer)
+        self.assertTrue(self.tap.writes())
+        self.assertNotEqual(self.memory(), self.kept)
+
+    def test_it_is_not_identified(self):
+        self.prepare("identify", "sim:htm", "--given", "J=5.5e-4", "--out", self.path("m.json"))
+        for arguments in (("--given", "J=5.5e-4", "--out", self.path("o.json")), ("--frequency",),
+                          ("--relay", "--model", self.path("m.json"))):
+            with self.subTest(arguments):
+                self.assert_blocked("identify", self.uri, "--arm", *arguments)
+        self.assertFalse(os.path.exists(self.path("o.json")))
+
+    def test_it_is_not_calibrated(self):
+        for arguments in (("hall",), ("hall", "--apply"), ("all", "--out", self.path("c.json"))):
+            with self.subTest(arguments):
+                self.assert_blocked("calibrate", self.uri, *arguments, "--arm")
+        self.assertFalse(os.path.exists(self.path("c.json")))
+
+    def test_no_gains_are_applied(self):
+        self.prepare("identify", "sim:htm", "--given", "J=5.5e-4", "--out", self.path("m.json"))
+        self.prepare("tune", self.path("m.json"), "--out", self.path("g.json"))
+        for arguments in ((), ("--live",), ("--gains", self.path("g.json"))):
+            with self.subTest(arguments):
+                self.assert_blocked("tune", self.path("m.json"), "--apply", self.uri, "--arm",
+                                    "--foreign-model", *arguments)
+        self.assert_blocked("tune", self.uri, "--arm", "--given", "J=5.5e-4")
+
+    def test_no_settings_are_restored(self):
+        self.prepare("config", "save", self.own, self.path("c.toml"))
+        with open(self.path("c.toml"), encoding="utf-8") as file:
+            saved = file.read()
+        edited = saved.replace("'gain.kp' = { value = 10,", "'gain.kp' = { value = 12,")
+        self.assertNotEqual(edited, saved)
+        self.write("c.toml", edited)
+        for arguments in ((), ("--only", "gain.kp"), ("--save",)):
+            with self.subTest(arguments):
+                answer = self.said("config", "restore", self.uri, self.path("c.toml"), *arguments)
+                self.assertNotEqual(answer.code, 0, answer)
+                document = answer.json()
+                if document["schema"] != "halbench.error/1":
+                    self.assert_doubtful(document["data_quality"])
+                    row, = [row for row in document["rows"] if row["name"] == "gain.kp"]
+                    self.assertEqual((row["restored"], row["device"]), (False, 10))
+                    self.assertIn("writing is blocked", row["reason"])
+
+    def test_settings_that_were_read_by_it_are_doubtful(self):
+        answer = self.said("config", "save", self.uri, self.path("c.toml"))
+        self.assert_doubtful(answer.json()["data_quality"])
+        answer = self.said("config", "compare", self.uri, self.path("c.toml"))
+        self.assert_doubtful(answer.json()["data_quality"])
+
+    STEPS = {"set": 'values = { "gain.kp" = 12 }\n',
+             "move": 'reference = { shape = "step", amplitude_deg = 5 }\nduration_s = 0.5\n',
+             "calibrate": 'what = "hall"\napply = true\n',
+             "identify": 'given = { J = 5.5e-4 }\n'}
+
+    def test_an_experiment_writes_nothing(self):
+        for kind, step in self.STEPS.items():
+            with self.subTest(kind):
+                self.write("e.toml", f'schema = "halbench.experiment/1"\ntitle = "t"\ndevice = "{self.uri}"\n'
+                                     f'\n[[step]]\nkind = "{kind}"\nname = "s"\n{step}')
+                answer = self.said("run", self.path("e.toml"), "--arm", "--force", "--out", self.path("run"))
+                self.assertNotEqual(answer.code, 0, answer)
+                self.assertIn("writing is blocked", answer.out + answer.err)
+                with open(self.path("run/result.json"), encoding="utf-8") as file:
+                    result = json.load(file)
+                self.assertFalse(result["passed"])
+                self.assert_doubtful(result["data_quality"])
 
 
 if __name__ == "__main__":

@@ -14,6 +14,9 @@ DESCRIPTIONS = {
 }
 
 
+RESTART_AFTER_DTOS, PAUSE_CYCLES = 50, 300
+
+
 class Mischief:
     def __init__(self, variant):
         self.kind = variant.mischief
@@ -21,6 +24,8 @@ class Mischief:
         self.previous = bytes([RES])
         self.dto_count = 0
         self.is_past_connect = False
+        self.clock_origin = 0           # what is taken from the clock since it started again
+        self.pause_cycles = 0
 
     def description(self, text):
         return DESCRIPTIONS.get(self.kind, lambda t: t)(text)
@@ -36,7 +41,9 @@ class Mischief:
             return 12345
         if self.kind == "time_backwards":
             return (0x40000000 - ticks) & 0xFFFFFFFF
-        return ticks
+        if self.kind.startswith("clock_restarts") and self.dto_count == RESTART_AFTER_DTOS:
+            self.clock_origin = ticks
+        return ticks - self.clock_origin
 
     def dto(self, packet):
         self.dto_count += 1
@@ -58,6 +65,10 @@ class Mischief:
         return self.kind == "switches_in_pieces"
 
     def streams(self):
+        if self.kind == "clock_restarts_after_a_pause" and self.dto_count == RESTART_AFTER_DTOS:
+            self.pause_cycles += 1
+            if self.pause_cycles <= PAUSE_CYCLES:
+                return False
         return self.kind != "no_dto" and not (self.kind == "gaps" and random.random() < 0.01)
 
     def hangs_up_now(self):

@@ -4,6 +4,7 @@ import select
 import socket
 import threading
 
+import wire
 
 class Relay:
     def __init__(self, board, seed, twice=0.05, late=0.0, lost=0.0):
@@ -61,3 +62,22 @@ class Relay:
             self.waiting[source] = octets
         if kind:
             self.counts[kind] += 1
+
+
+class Tap(Relay):
+    """A network that carries every datagram once and remembers what the master sent."""
+    WRITES = {wire.DOWNLOAD, wire.SHORT_DOWNLOAD, wire.COPY_CAL_PAGE, wire.SET_REQUEST, 0xEF, 0xEE, 0xEC}
+
+    def __init__(self, board):
+        self.sent = []
+        super().__init__(board, 1, twice=0.0)
+
+    def carry(self, source, octets):
+        if source is self.front:
+            self.sent += [packet for _, packet in wire.Splitter().feed(octets)]
+        super().carry(source, octets)
+
+    def writes(self):
+        """Memory that was written, pages copied, settings stored, pages switched for the control loop."""
+        return [packet.hex() for packet in self.sent if packet[0] in self.WRITES
+                or packet[0] == wire.SET_CAL_PAGE and packet[1] & 1]

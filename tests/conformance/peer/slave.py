@@ -34,6 +34,7 @@ class Slave:
         self.order = variant.byte_order
         self.board = Board(self.order, 1 if variant.pages == "none" else 2,
                            1 if variant.pages == "readonly" else None)
+        self.board.describe_otherwise(variant.described)
         self.mischief = Mischief(variant)
         self.mischief.spoil(self.board)
         self.a2l = self.mischief.description(render(self.board, variant).encode())

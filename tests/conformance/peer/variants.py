@@ -1,5 +1,5 @@
 """The slaves we answer as: well-behaved foreign boards, and boards that lie."""
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True)
@@ -15,6 +15,7 @@ class Variant:
     max_cto: int = 64
     max_dto: int = 128
     mischief: str = ""
+    described: dict = field(default_factory=dict)      # signals with another label, unit or slope
 
 
 FOREIGN = {
@@ -44,4 +45,14 @@ HOSTILE = {name: Variant(mischief=name) for name in (
 # Slaves that break one rule of a board of ours: they test the checks.
 BROKEN = {name: Variant(mischief=name) for name in ("no_watchdog", "accepts_anything", "gaps", "switches_in_pieces")}
 
-VARIANTS = FOREIGN | HOSTILE | BROKEN
+# Boards that keep the protocol and yet are a trap: names that meet in a column, clocks that start again.
+ODD = {
+    "meeting_names": Variant(described={
+        "counter": {"label": "a_b"}, "wide": {"label": "a.b", "unit": ""},
+        "sine": {"label": "a_b_2", "unit": ""},
+        "level": {"label": "time_s", "unit": "", "slope": 1.0, "lower": -1e4, "upper": 1e4}}),
+    "clock_restarts": Variant(time_start=5_000_000, mischief="clock_restarts"),
+    "clock_restarts_after_a_pause": Variant(time_start=5_000_000, mischief="clock_restarts_after_a_pause"),
+}
+
+VARIANTS = FOREIGN | HOSTILE | BROKEN | ODD

@@ -4,6 +4,7 @@
 """
 import json
 import os
+import re
 import signal
 import socket
 import sys
@@ -434,6 +435,38 @@ class Serving(ProgramCase):
             address, err = self.listen(kind, "0.0.0.0:0")
             self.assertRegex(address, rf"^{kind}:0\.0\.0\.0:\d+$")
             self.assertRegex(err, rf"^halbench: warning: {address} is open to the network: [^\n]*127\.0\.0\.1[^\n]*\n$")
+
+    def require_ipv6(self):
+        try:
+            with socket.socket(socket.AF_INET6, socket.SOCK_STREAM) as probe:
+                probe.bind(("::1", 0))
+        except OSError:
+            self.skipTest("this machine has no IPv6 at all")
+
+    def test_all_addresses_of_ipv6_are_open_to_the_network_and_its_own_is_not(self):
+        self.require_ipv6()
+        for kind in ("tcp", "udp"):
+            for place in ("[::1]:0", "[0:0:0:0:0:0:0:1]:0"):
+                with self.subTest(kind=kind, place=place):
+                    address, err = self.listen(kind, place)
+                    self.assertRegex(address, rf"^{kind}:\[[0:]*1\]:\d+$")
+                    self.assertEqual(err, "")
+            for place in ("[::]:0", "[0:0:0:0:0:0:0:0]:0"):
+                with self.subTest(kind=kind, place=place):
+                    address, err = self.listen(kind, place)
+                    self.assertRegex(address, rf"^{kind}:\[[0:]+\]:\d+$")
+                    self.assertRegex(err, rf"^halbench: warning: {re.escape(address)} is open to the network"
+                                          r": [^\n]+\n$")
+
+    def test_it_is_reached_by_ipv6(self):
+        self.require_ipv6()
+        for kind in ("tcp", "udp"):
+            for place in ("[::1]:0", "[::]:0"):
+                with self.subTest(kind=kind, place=place):
+                    process = self.start_program("serve", "sim:htm", f"--{kind}", place)
+                    port = process.stdout.readline().strip().rsplit(":", 1)[1]
+                    answer = self.accept("get", f"{kind}:[::1]:{port}", "gain.kp")
+                    self.assertIn("gain.kp = 10 A/rad", answer.out)
 
     def test_places_that_cannot_be_listened_at_are_refused(self):
         for place in ("", "127.0.0.1", "127.0.0.1:x", "127.0.0.1:70000"):

@@ -1,6 +1,7 @@
-"""halbench analyse and tune --gains: laws with set-point weights and filters are judged, applied and restored.
+"""halbench analyse and tune --gains: laws with set-point weights and filters are judged, applied and
+restored; which way the gain of a loop has to go.
 
-    python3 check_filtered_gains.py build/release/halbench [ShapedGains[.case]]
+    python3 check_filtered_gains.py build/release/halbench [ShapedGains|GainLimits[.case]]
 """
 import csv
 import json
@@ -151,6 +152,127 @@ class ShapedGains(ProgramCase):
         answer = self.run_program("tune", "m.json", "--gains", "s.json", "--json")
         self.assertEqual(answer.code, 1)
         self.assertEqual(answer.json()["data_quality"]["verdict"], "refused")
+
+
+def product(one, other):
+    result = [0.0] * (len(one) + len(other) - 1)
+    for i, a in enumerate(one):
+        for j, b in enumerate(other):
+            result[i + j] += a * b
+    return result
+
+
+def total(one, other):
+    size = max(len(one), len(other))
+    return [a + b for a, b in zip([0.0] * (size - len(one)) + one, [0.0] * (size - len(other)) + other)]
+
+
+def are_roots_inside(polynomial):
+    """Schur's and Cohn's recursion, highest power first: whether every root is inside the unit circle."""
+    while len(polynomial) > 1:
+        if abs(polynomial[-1]) >= abs(polynomial[0]):
+            return False
+        share = polynomial[-1] / polynomial[0]
+        polynomial = [a - share * b for a, b in zip(polynomial, reversed(polynomial))][:-1]
+    return True
+
+
+class Loop:
+    """The published motor (htm-theory.md), its current held, under K_P + T K_I/(z-1) + K_D (z-1)/(T z)."""
+    C, PHI, J, T = 1.23e-3, 1.43e-2, 5.5e-4, 0.01
+
+    def __init__(self, kp, ki, kd, delay):
+        damping, push = self.C / self.J, self.PHI / self.J
+        decay = math.exp(-damping * self.T)
+        rest = damping * self.T - 1.0 + decay
+        plant = [push / damping ** 2 * b for b in (rest, 1.0 - decay - damping * self.T * decay)]
+        law, self.poles = [kp], [1.0, -(1.0 + decay), decay] + [0.0] * delay
+        for top, bottom in (([self.T * ki], [1.0, -1.0]), ([kd / self.T, -kd / self.T], [1.0, 0.0])):
+            if any(top):
+                law = total(product(law, bottom), product(top, self.denominator(law, kp, ki, kd, bottom)))
+                self.poles = product(self.poles, bottom)
+        self.zeros = product(law, plant)
+
+    @staticmethod
+    def denominator(law, kp, ki, kd, bottom):
+        """Of the law so far: that of the integral, when the derivative comes behind it."""
+        return [1.0, -1.0] if ki and kd and bottom == [1.0, 0.0] else [1.0]
+
+    def is_stable(self, gain=1.0):
+        return are_roots_inside(total(self.poles, [gain * zero for zero in self.zeros]))
+
+    def nearest_limit(self):
+        """The factor nearest to 1 at which stability changes, each end of a change found by halving."""
+        grid = [10.0 ** (exponent / 200.0) for exponent in range(-600, 601)]
+        changes = []
+        for low, high in zip(grid, grid[1:]):
+            begin = self.is_stable(low)
+            if begin != self.is_stable(high):
+                for _ in range(60):
+                    middle = math.sqrt(low * high)
+                    low, high = (middle, high) if self.is_stable(middle) == begin else (low, middle)
+                changes.append(low)
+        return min(changes, key=lambda factor: abs(math.log(factor)))
+
+
+class GainLimits(ProgramCase):
+    def model(self, delay):
+        self.accept("identify", "sim:htm?seed=1", "--given", "J=5.5e-4", "--out", "m.json", timeout=110)
+        with open(self.path("m.json"), encoding="utf-8") as file:
+            model = json.load(file)
+        c, phi, inertia, friction = Loop.C, Loop.PHI, Loop.J, 2.05e-2
+        parameters = {"viscous_damping": c, "torque_constant": phi, "inertia": inertia,
+                      "coulomb_friction": friction}
+        ratios = {"c_over_J": c / inertia, "phi_over_J": phi / inertia, "Kf_over_J": friction / inertia,
+                  "c_over_phi": c / phi, "Kf_over_phi": friction / phi}
+        for group, values in (("parameters", parameters), ("ratios", ratios)):
+            for name, value in values.items():
+                model[group][name] |= {"value": value, "ci95": None}
+        model |= {"delay_samples": delay, "sample_period_s": Loop.T}
+        self.write("m.json", json.dumps(model))
+
+    def judged(self, kp, ki, kd, delay):
+        self.write("g.json", json.dumps({
+            "schema": "halbench.gains/1", "form": "parallel", "sample_period_s": Loop.T,
+            "delay_samples": delay, "gains": {
+                "kp": {"value": kp, "unit": "A/rad"}, "ki": {"value": ki, "unit": "A/(rad*s)"},
+                "kd": {"value": kd, "unit": "A*s/rad"}}}))
+        return self.run_program("analyse", "m.json", "g.json", "--json").json()
+
+    def check(self, stable, limit, *cases):
+        """By the closed polynomial: is it stable, and at which factor on the gain does that change first?"""
+        for delay in sorted({case[3] for case in cases}):
+            self.model(delay)
+            for case in [case for case in cases if case[3] == delay]:
+                with self.subTest(case):
+                    loop = Loop(*case)
+                    factor = loop.nearest_limit()
+                    self.assertEqual((loop.is_stable(), factor > 1.0), (stable, limit == "increase"))
+                    judged = self.judged(*case)
+                    self.assertEqual((judged["stable"], judged["margins"]["gain_limit"]), (stable, limit))
+                    self.assertAlmostEqual(judged["margins"]["gain_margin_ratio"] / factor, 1.0, delta=1e-4)
+                    hints = [f["hint"] for f in judged["data_quality"]["findings"] if f["code"] == "unstable"]
+                    self.assertEqual(len(hints), 0 if stable else 1)
+                    for hint in hints:
+                        self.assertIn("stable above" if limit == "increase" else "stable below", hint)
+                    text = self.run_program("analyse", "m.json", "g.json").out
+                    self.assertRegex(text, f"(?m)^limit of the gain +{limit} of the gain$")
+
+    def test_the_limit_of_the_published_motor_is_that_of_the_theory(self):
+        self.assertAlmostEqual(10.0 * Loop(10, 0, 0, 0).nearest_limit(), 17.27, delta=0.005)
+
+    def test_a_loop_with_too_much_gain_is_told_to_lower_it(self):
+        self.check(False, "decrease", (20, 0, 0, 0), (17.3, 0, 0, 0), (40, 0, 0, 0), (8, 0, 0, 1),
+                   (80, 400, 8, 0), (80, 800, 12, 0))
+
+    def test_a_loop_with_too_little_gain_for_its_integral_is_told_to_raise_it(self):
+        """By Routh (c/J + phi/J K_D) K_P > K_I: with K_D more gain helps, and too little is unstable."""
+        self.check(False, "increase", (1, 5, 0.1, 0), (0.5, 3, 0.1, 0), (2, 20, 0.3, 0), (1, 20, 0.3, 0),
+                   (2, 16, 0.05, 0), (0.2, 2, 0.1, 0), (1, 5, 0.1, 1), (1, 20, 0.3, 1))
+
+    def test_a_stable_loop_is_told_which_way_its_limit_is_nearer(self):
+        self.check(True, "increase", (10, 0, 0, 0), (17.2, 0, 0, 0), (10, 0.1, 0, 0), (5, 0, 0, 1))
+        self.check(True, "decrease", (1.5, 7.5, 0.15, 0), (3, 15, 0.3, 0), (2.5, 50, 0.75, 0))
 
 
 if __name__ == "__main__":
