@@ -1,7 +1,9 @@
 #include "app/window/docks/dock_layout.h"
 #include "app/window/focus_fallback.h"
 #include "app/workbench/drive_control.h"
+#include "app/workspaces/monitor/trigger_bar.h"
 #include "tests/app/window/window_test.h"
+#include "widgets/live_plot/live_plot.h"
 
 #include <QAbstractButton>
 #include <QDialog>
@@ -66,6 +68,69 @@ TEST_F(FocusFallbackTest, noHiddenContainerGivesItsKeysToAButton) {
                     << nameOf(part) << " hidden, " << nameOf(widget)
                     << " had the keys: " << nameOf(QApplication::focusWidget());
                 part->show();
+            }
+        }
+    }
+}
+
+// T shows the trigger's settings, T hides them again with the keys in one of them, and Space comes next.
+TEST_F(FocusFallbackTest, theTriggersSettingsThatGoArmNothing) {
+    openActive();
+    connectMotor(1.0);
+    window->docks().setPerspective(Perspective::Monitor);
+    QWidget* monitor = window->docks().panel("monitor");
+    ASSERT_NE(monitor, nullptr);
+    auto* bar = monitor->findChild<TriggerBar*>();
+    ASSERT_NE(bar, nullptr);
+    auto* plot = monitor->findChild<widgets::LivePlot*>();
+    ASSERT_NE(plot, nullptr);
+    plot->setFocus();
+    QTest::keyClick(plot, Qt::Key_T);
+    ASSERT_TRUE(bar->isVisible());
+    int tried = 0;
+    for (QWidget* setting : bar->findChildren<QWidget*>()) {
+        if (!setting->isVisible() || setting->focusPolicy() == Qt::NoFocus) {
+            continue;
+        }
+        setting->setFocus();
+        if (QApplication::focusWidget() != setting) {
+            continue;
+        }
+        ++tried;
+        QTest::keyClick(plot, Qt::Key_T);
+        ASSERT_FALSE(bar->isVisible());
+        QWidget* focus = QApplication::focusWidget();
+        EXPECT_TRUE(isSafe(focus)) << nameOf(setting) << ": " << nameOf(focus);
+        QTest::keyClick(focus == nullptr ? window.get() : focus, Qt::Key_Space);
+        settle();
+        EXPECT_FALSE(session().report().board.isArmed) << nameOf(setting);
+        QTest::keyClick(plot, Qt::Key_T);
+        ASSERT_TRUE(bar->isVisible());
+    }
+    EXPECT_GE(tried, 3);
+}
+
+TEST_F(FocusFallbackTest, noHiddenPartOfOtherActuatorsGivesItsKeysToAButton) {
+    openActive();
+    for (const char* uri : {"sim:planar", "sim:spherical"}) {
+        window->connectDevice(uri);
+        ASSERT_TRUE(wait(
+            [&] { return session().state() == SessionState::Connected && session().info().uri == uri; }));
+        for (const QPointer<QWidget>& widget : focusable()) {
+            QWidget* part = widget ? widget->parentWidget() : nullptr;
+            if (part == nullptr || part->isWindow()) {
+                continue;
+            }
+            for (const bool isHidden : {false, true}) {
+                widget->setFocus();
+                if (QApplication::focusWidget() != widget) {
+                    continue;
+                }
+                isHidden ? part->hide() : part->setEnabled(false);
+                EXPECT_TRUE(isSafe(QApplication::focusWidget()))
+                    << uri << ": " << nameOf(part) << ", " << nameOf(widget)
+                    << " had the keys: " << nameOf(QApplication::focusWidget());
+                isHidden ? part->show() : part->setEnabled(true);
             }
         }
     }

@@ -1,6 +1,7 @@
 #include "app/window/docks/dock_layout.h"
 #include "app/window/preferences/language.h"
 #include "app/window/window_program.h"
+#include "app/workspaces/monitor/monitor_panel.h"
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/stop_button.h"
 
@@ -78,6 +79,41 @@ TEST_F(StopOnScreenTest, noPanelMakesTheWindowGrow) {
         dock->toggleView(true);
         QApplication::processEvents();
         expectStopInside(size);
+    }
+}
+
+// A right axis and many plots once raised the window's minimum height to 779 px.
+TEST_F(StopOnScreenTest, plotsWithTwoAxesDoNotMakeTheWindowGrow) {
+    openDressed(Preferences());
+    auto* monitor = qobject_cast<MonitorPanel*>(window->docks().panel("monitor"));
+    ASSERT_NE(monitor, nullptr);
+    for (const std::size_t plots : {1, 3, 8}) {
+        MonitorView view;
+        PlotChoice choice;
+        choice.signalNames = {"position"};
+        choice.rightNames = {"current_command"};
+        view.plots.assign(plots, choice);
+        monitor->setView(view);
+        for (const QSize screen : {QSize(960, 540), QSize(1024, 768), QSize(1366, 768)}) {
+            resize(screen - Frame);
+            SCOPED_TRACE(std::to_string(plots) + " plots");
+            expectStopInside(screen - Frame);
+        }
+    }
+}
+
+TEST_F(StopOnScreenTest, stopIsSeenOnSmallScreensWithEveryActuator) {
+    openDressed(Preferences());
+    for (const char* uri : {"sim:planar", "sim:spherical"}) {
+        window->connectDevice(uri);
+        ASSERT_TRUE(wait(
+            [&] { return session().state() == SessionState::Connected && session().info().uri == uri; }));
+        for (const Perspective perspective : AllPerspectives) {
+            window->docks().setPerspective(perspective);
+            resize(QSize(960, 540) - Frame);
+            SCOPED_TRACE(uri + std::string(" ") + perspectiveId(perspective).toStdString());
+            expectStopInside(QSize(960, 540) - Frame);
+        }
     }
 }
 
