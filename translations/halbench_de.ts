@@ -2691,10 +2691,6 @@
         <translation>erwartete Spulentemperatur {} degC, Grenzwert {} degC</translation>
     </message>
     <message>
-        <source>Nothing was armed. Check the temperature sensors.</source>
-        <translation>Nichts wurde freigegeben. Temperatursensoren prüfen.</translation>
-    </message>
-    <message>
         <source>cooling the coils: {} degC</source>
         <translation>Spulen kühlen ab: {} degC</translation>
     </message>
@@ -10633,6 +10629,18 @@
     <message>
         <source>record longer</source>
         <translation>zeichnen Sie länger auf</translation>
+    </message>
+    <message>
+        <source>check the temperature sensors</source>
+        <translation>prüfen Sie die Temperatursensoren</translation>
+    </message>
+    <message>
+        <source>the compensation of the stray field leaves {} deg per ampere, more than it should</source>
+        <translation>die Kompensation des Streufelds lässt {} Grad je Ampere übrig, mehr als sie sollte</translation>
+    </message>
+    <message>
+        <source>calibrate the stray field, then measure again</source>
+        <translation>kalibrieren Sie das Streufeld und messen Sie noch einmal</translation>
     </message>
 </context>
 <context>

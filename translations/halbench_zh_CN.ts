@@ -2691,10 +2691,6 @@
         <translation>预计线圈温度 {} degC，限值 {} degC</translation>
     </message>
     <message>
-        <source>Nothing was armed. Check the temperature sensors.</source>
-        <translation>未使能。请检查温度传感器。</translation>
-    </message>
-    <message>
         <source>cooling the coils: {} degC</source>
         <translation>线圈冷却中：{} degC</translation>
     </message>
@@ -10633,6 +10629,18 @@
     <message>
         <source>record longer</source>
         <translation>请延长记录时间</translation>
+    </message>
+    <message>
+        <source>check the temperature sensors</source>
+        <translation>请检查温度传感器</translation>
+    </message>
+    <message>
+        <source>the compensation of the stray field leaves {} deg per ampere, more than it should</source>
+        <translation>杂散磁场补偿后每安培仍剩余 {} 度，超出应有的值</translation>
+    </message>
+    <message>
+        <source>calibrate the stray field, then measure again</source>
+        <translation>请标定杂散磁场，然后重新测量</translation>
     </message>
 </context>
 <context>

@@ -261,9 +261,10 @@ Result<PlatenMotion> recorded(devices::Device& device, const PlatenBoard& board,
         return failure(recording.error());
     }
     const RowLossCause loss = causeOfRowLoss(before, device.statistics());
+    const bool isEmpty = recording->rows() == 0;
     auto motion = motionFrom(*std::move(recording));
     if (!motion) {
-        return failure(withCause(motion.error(), loss));
+        return failure(isEmpty ? withCause(motion.error(), loss) : motion.error());
     }
     motion->loss = loss;
     motion->duration_s = device.clock().now_s() - start_s;

@@ -272,7 +272,7 @@ Result<SensedMotion> recordSensedMotion(devices::Device& device, double duration
     const RowLossCause loss = causeOfRowLoss(before, device.statistics());
     auto motion = sensedMotion(*recording);
     if (!motion) {
-        return failure(withCause(motion.error(), loss));
+        return failure(recording->rows() == 0 ? withCause(motion.error(), loss) : motion.error());
     }
     motion->loss = loss;
     return motion;

@@ -61,15 +61,25 @@ Result<CoilTemperatures> readCoilTemperatures(devices::Device& device) {
     }
     if (!std::all_of(values->begin(), values->end(), [](double value) { return std::isfinite(value); })) {
         return failure(ErrorCode::NotFinite, "a coil temperature is not a number",
-                       "Nothing was armed. Check the temperature sensors.");
+                       "check the temperature sensors");
     }
     const auto [lowest, highest] = std::minmax_element(values->begin(), values->end());
     return CoilTemperatures{*highest, *lowest};
 }
 
 double CoilTemperatures::sensorExcess_K() const {
-    constexpr double Reference_degC = 25.0;
-    return std::max(std::abs(highest_degC - Reference_degC), std::abs(lowest_degC - Reference_degC));
+    constexpr double Room_degC = 25.0;
+    return std::max(std::abs(highest_degC - Room_degC), std::abs(lowest_degC - Room_degC));
+}
+
+Result<double> readSensorExcess_K(devices::Device& device) {
+    if (coilSignals(device.catalogue()).empty()) {
+        constexpr double Limit_degC = 80.0;
+        const double limit_degC = constantOr(device.catalogue(), "T_limit_degC", Limit_degC);
+        return CoilTemperatures{limit_degC, limit_degC}.sensorExcess_K();
+    }
+    const auto now = readCoilTemperatures(device);
+    return now ? Result<double>(now->sensorExcess_K()) : failure(now.error());
 }
 
 std::optional<double> highestCoil_degC(const devices::Catalogue& catalogue, const Recording& recording) {

@@ -13,12 +13,16 @@ struct CoilTemperatures {
     double lowest_degC = 25.0;
 
     /// How far a Hall sensor may be from the temperature that the board takes for it. The board takes that of
-    /// its coil; the sensor is somewhere between it and the 25 degC to which its sensitivity belongs.
+    /// its coil; the sensor is somewhere between it and the room, which is taken to have 25 degC.
     double sensorExcess_K() const;
 };
 
 /// By all roles coil_temperature.*; 25 degC for a device that has none. Errors: of the device, NotFinite.
 Result<CoilTemperatures> readCoilTemperatures(devices::Device& device);
+
+/// CoilTemperatures::sensorExcess_K of now; of a device that tells no temperature that of a coil at its
+/// limit. Errors: of the device, NotFinite.
+Result<double> readSensorExcess_K(devices::Device& device);
 
 /// The highest reading of all coils in a recording, by the roles coil_temperature.*; nothing where the board
 /// reports none or none was recorded.

@@ -58,7 +58,7 @@ void nameRowLoss(DataQuality& quality, const RowLossCause& cause) {
     for (Finding& finding : quality.findings) {
         if (finding.code == "rows_lost" && !cause.words.empty()) {
             finding.message += ": " + cause.words;
-            finding.hint = cause.remedy;
+            finding.hint = cause.remedy.empty() ? finding.hint : cause.remedy;
         }
     }
 }

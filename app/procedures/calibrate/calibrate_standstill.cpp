@@ -230,6 +230,10 @@ Result<void> calibrateStray(devices::Device& device, const CalibrateConfig& conf
         !admitted) {
         return failure(admitted.error());
     }
+    const auto before_K = readSensorExcess_K(device);
+    if (!before_K) {
+        return failure(before_K.error());
+    }
     std::vector<control::StrayRecord> records;
     for (int i = 0; i < StrayAngles; ++i) {
         auto recording = recordAt(device, config, observer, dAxisLevels(config.strayCurrent_A, StrayDwell_s),
@@ -247,12 +251,12 @@ Result<void> calibrateStray(devices::Device& device, const CalibrateConfig& conf
         refuse(result, "stray_not_calibrated", fit.error());
         return {};
     }
-    const auto temperatures = readCoilTemperatures(device);
-    if (!temperatures) {
-        return failure(temperatures.error());
+    const auto after_K = readSensorExcess_K(device);
+    if (!after_K) {
+        return failure(after_K.error());
     }
     // Warm coils change the scale of the readings, which the angle does not feel but this coefficient does.
-    const double heat_ratio = sensorTemperature_per_K(device.catalogue()) * temperatures->sensorExcess_K();
+    const double heat_ratio = sensorTemperature_per_K(device.catalogue()) * std::max(*before_K, *after_K);
     const double value = fit->coefficient_T_per_A;
     const double half =
         control::studentQuantile(0.975, fit->freedom) * fit->error_T_per_A + heat_ratio * std::fabs(value);

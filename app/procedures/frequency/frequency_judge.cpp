@@ -21,25 +21,50 @@ using Complex = std::complex<double>;
 constexpr double UncalibratedStray_ratio = 0.05;
 
 /// What the compensation of the stray field may be wrong by, from the class of the sensors or a calibration
-/// and the sensors' heat; less when the points themselves show less, and more when they contradict it.
-double strayError_rad_per_A(const FrequencyRun& run, const std::optional<control::FrequencyFit>& fit) {
-    if (!run.stray) {
-        return 0.0;
-    }
+/// and the sensors' heat.
+double knownStrayError_rad_per_A(const FrequencyRun& run) {
     const StrayField& stray = *run.stray;
     const double coefficient_T_per_A = std::abs(stray.coefficient_T_per_A);
     const double heat_ratio = std::abs(stray.sensorTemperature_per_K) * run.sensorExcess_K;
-    const double known_rad_per_A =
-        (stray.error_T_per_A.value_or(UncalibratedStray_ratio * coefficient_T_per_A) +
-         heat_ratio * coefficient_T_per_A) /
-        stray.amplitude_T;
-    if (!fit) {
-        return known_rad_per_A;
+    const double error_T_per_A = stray.error_T_per_A.value_or(UncalibratedStray_ratio * coefficient_T_per_A);
+    return (error_T_per_A + heat_ratio * coefficient_T_per_A) / stray.amplitude_T;
+}
+
+void doubtCompensation(FrequencyResult& result) {
+    result.quality.verdict = std::max(result.quality.verdict, Verdict::Doubtful);
+    result.quality.findings.push_back(
+        {"stray_field_wrong",
+         fmt::format("the compensation of the stray field leaves {:.2g} deg per ampere, more than it should",
+                     radiansToDegrees(*result.fit->feedthrough.value)),
+         "calibrate the stray field, then measure again"});
+}
+
+/// The angle that an ampere turns, as far as both the points and what is known of the compensation allow it;
+/// as the points alone allow it where these contradict each other, which is a finding. Its half width goes
+/// into the result. Gives its middle.
+double takeStray_rad_per_A(FrequencyResult& result, const FrequencyRun& run) {
+    if (!run.stray) {
+        return 0.0;
     }
-    const auto [low, high] = *fit->feedthrough.interval95;
-    const double shown_rad_per_A = std::max(std::abs(low), std::abs(high));
-    const bool isContradicted = low > known_rad_per_A || high < -known_rad_per_A;
-    return isContradicted ? shown_rad_per_A : std::min(known_rad_per_A, shown_rad_per_A);
+    const double known_rad_per_A = knownStrayError_rad_per_A(run);
+    result.strayError_rad_per_A = known_rad_per_A;
+    if (!result.fit) {
+        return 0.0;
+    }
+    auto [low, high] = *result.fit->feedthrough.interval95;
+    if (low > known_rad_per_A || high < -known_rad_per_A) {
+        doubtCompensation(result);
+    } else {
+        low = std::max(low, -known_rad_per_A);
+        high = std::min(high, known_rad_per_A);
+    }
+    result.strayError_rad_per_A = 0.5 * (high - low);
+    return 0.5 * (low + high);
+}
+
+/// The points are of the plant: what the current itself turns, a sample late, is no part of it.
+void takeOut(control::PlantPoint& point, double stray_rad_per_A, double period_s) {
+    point.value -= stray_rad_per_A * std::polar(1.0, -point.frequency_rad_s * period_s);
 }
 
 Result<void> checkRows(const FrequencyRun& run, double at_Hz, std::size_t first, std::size_t rows) {
@@ -318,8 +343,12 @@ Result<FrequencyResult> estimateFrequency(FrequencyRun run) {
         points.insert(points.end(), more->begin(), more->end());
     }
     result.fit = fitOf(points, run);
-    result.strayError_rad_per_A = strayError_rad_per_A(run, result.fit);
-    for (const control::PlantPoint& point : points) {
+    const double stray_rad_per_A = takeStray_rad_per_A(result, run);
+    if (result.fit) {
+        result.fit->rotor.feedthrough_rad_per_A -= stray_rad_per_A; // it is compared with the points
+    }
+    for (control::PlantPoint& point : points) {
+        takeOut(point, stray_rad_per_A, result.period_s);
         result.points.push_back(judged(point, run, result.strayError_rad_per_A));
     }
     result.margins = marginsOf(result.points);
@@ -330,7 +359,7 @@ Result<FrequencyResult> estimateFrequency(FrequencyRun run) {
 }
 
 DataQuality judgeFrequency(const FrequencyResult& result) {
-    DataQuality quality;
+    DataQuality quality = result.quality; // what the estimate found
     addUseFindings(quality, result);
     const control::MarginTolerance tolerance;
     addWithheld(quality, result.margins.phase_deg, PhaseWords, tolerance.phase_deg);

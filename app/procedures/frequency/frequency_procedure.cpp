@@ -191,19 +191,19 @@ Result<FrequencyPlan> driveWithin(devices::Device& device, FrequencyRun& run, Fr
 
 Result<FrequencyResult> measure(devices::Device& device, FrequencyRun run, const FrequencyPlan& plan,
                                 const ProcedureObserver& observer) {
-    const auto before = readCoilTemperatures(device);
-    if (!before) {
-        return failure(before.error());
+    const auto before_K = readSensorExcess_K(device);
+    if (!before_K) {
+        return failure(before_K.error());
     }
     const auto driven = driveWithin(device, run, plan, observer);
     if (!driven) {
         return failure(driven.error());
     }
-    const auto after = readCoilTemperatures(device);
-    if (!after) {
-        return failure(after.error());
+    run.sensorExcess_K = *before_K;
+    if (const auto warmest_degC = highestCoil_degC(device.catalogue(), run.recording)) {
+        const CoilTemperatures warmest{*warmest_degC, *warmest_degC};
+        run.sensorExcess_K = std::max(run.sensorExcess_K, warmest.sensorExcess_K());
     }
-    run.sensorExcess_K = std::max(before->sensorExcess_K(), after->sensorExcess_K());
     const double reduced_ratio =
         driven->stages.front().reference.amplitude / plan.stages.front().reference.amplitude;
     if (auto entered = enterState(observer, ProcedureState::Fit); !entered) {

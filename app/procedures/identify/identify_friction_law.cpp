@@ -111,9 +111,9 @@ void addLossAmbiguity(control::MotorRatios& ratios, const IdentifyFits& fits) {
     const double torque_rad_s2_A = *fits.balance->torque_rad_s2_A;
     const double dampingError = 0.25 * torque_rad_s2_A * current_A * speed_rad_s * excess_s2;
     const double torqueError = 0.5 * angle_rad * angle_rad * torque_rad_s2_A;
-    // The torque bends with the current as I - b I^3; a line through it from 0.4 of the largest current on is
-    // off by 0.7 b I^3 at no current, of which the coast-downs, which have no current, take back more than
-    // half.
+    // The torque bends with the current as I - b I^3; a least-squares line through it from 0.4 to all of the
+    // largest current is off by 0.7 b I^3 at no current: 0.35 of what bends the torque there, once the
+    // coast-downs have had their half. 0.25 is one sigma.
     const double frictionError = 0.25 * torqueError * current_A;
     const auto count = static_cast<Eigen::Index>(ratios.ratios.size());
     Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(count, count);

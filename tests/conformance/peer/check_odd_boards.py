@@ -151,9 +151,9 @@ class ClockRestarts(Recorded):
                 self.assertEqual(cycles[row], cycles[first] + 10 * (row - first), "each row has its values")
                 self.assertAlmostEqual(times[row] - times[first], (row - first) / 100, delta=1e-6)
         # The board's cycles are its true time: what the axis leaves out is what the board was away.
-        self.assertAlmostEqual(times[at] - times[at - 1], away_s + 0.01, delta=0.1)
-        self.assertAlmostEqual(cycles[at] - cycles[at - 1], 1000 * away_s + 10, delta=10)
-        self.assertAlmostEqual(gap["lost_rows"], 100 * away_s, delta=10)
+        self.assertAlmostEqual(times[at] - times[at - 1], away_s + 0.01, delta=0.2)
+        self.assertAlmostEqual(cycles[at] - cycles[at - 1], 1000 * away_s + 10, delta=200)
+        self.assertAlmostEqual(gap["lost_rows"], 100 * away_s, delta=20)
         self.assertEqual(result["lost_rows"], gap["lost_rows"])
         return answer
 
@@ -169,7 +169,7 @@ class ClockRestarts(Recorded):
                 self.record(variant, "counter", 1.5)
                 listed, = self.read("recordings", self.folder)["recordings"]
                 self.assertEqual(listed["gaps"], 1)
-                self.assertAlmostEqual(listed["missing_rows"], missing, delta=10)
+                self.assertAlmostEqual(listed["missing_rows"], missing, delta=20)
 
     def test_a_clock_that_goes_on_leaves_no_gap(self):
         answer = self.record("plain", "counter", 1.5)

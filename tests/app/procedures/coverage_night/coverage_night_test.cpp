@@ -39,6 +39,11 @@ TEST(IdentifyCoverage, aWrongStrayCoefficientIsHeldOrNotGood) {
         for (const int missed : coverage.missedAndGood) {
             EXPECT_LE(missed, 5) << coefficient_mT_per_A;
         }
+        if (coefficient_mT_per_A >= 0.0 && coefficient_mT_per_A <= 1.0) { // nothing to doubt yet
+            EXPECT_LE(coverage.notGood, 4) << coefficient_mT_per_A;
+        } else if (coefficient_mT_per_A >= 5.0) { // a torque that grows with the speed
+            EXPECT_GE(coverage.notGood, Runs - 4) << coefficient_mT_per_A;
+        }
     }
 }
 
@@ -47,6 +52,7 @@ TEST(IdentifyCoverage, magnetsThatDifferAreHeldOrNotGood) {
     for (const char* magnets : {"&magnet_scatter=0.05", "&magnet_scatter=0.1", "&magnet_TC=-0.005"}) {
         const Coverage coverage = countCoverage(1, 40, magnets);
         EXPECT_EQ(coverage.runs, 40) << magnets;
+        EXPECT_LE(coverage.notGood, 6) << magnets;
         for (const int missed : coverage.missedAndGood) {
             EXPECT_LE(missed, 5) << magnets;
         }

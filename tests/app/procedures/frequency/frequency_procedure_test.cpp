@@ -163,13 +163,21 @@ TEST(FrequencyIdentification, aGainMarginThatIsToldIsRight) {
     EXPECT_EQ(told.gainHeld, told.gainIntervals);
 }
 
+bool isFound(const DataQuality& quality, const std::string& code) {
+    return std::any_of(quality.findings.begin(), quality.findings.end(),
+                       [&code](const Finding& finding) { return finding.code == code; });
+}
+
 /// The stray field as a calibration that is applied leaves it.
 StrayField calibratedStray(devices::Device& device) {
     CalibrateConfig config;
     config.apply = true;
     const auto calibrated = runCalibrate(device, config, {});
-    EXPECT_TRUE(calibrated) << calibrated.error().message;
     StrayField stray{0.157, 2.5e-3, {}, true, 0.0012}; // S_TC: resources/help/htm-theory.md section 2
+    if (!calibrated) {
+        ADD_FAILURE() << calibrated.error().message;
+        return stray;
+    }
     for (const CalibrationFigure& figure : calibrated->figures) {
         if (figure.name == "stray.coefficient") {
             stray.coefficient_T_per_A = *figure.estimate.value;
@@ -185,23 +193,25 @@ StrayField calibratedStray(devices::Device& device) {
 TEST(FrequencyIdentification, afterACalibrationPointsHoldThePlantAndMarginsAreTold) {
     Count all;
     Count fast;
+    int told = 0;
     for (int seed = 1; seed <= 4; ++seed) {
         auto device = openMotor("seed=" + std::to_string(seed));
         const StrayField stray = calibratedStray(*device);
         setLaw(*device, models::recommendedLaw({}, 1.43e-2));
         FrequencyResult result = measured(*device, {}, stray);
-        ASSERT_TRUE(result.margins.phase_deg.value);
-        EXPECT_NEAR(*result.margins.phase_deg.value, trueMargins(result.law).phaseMargin_deg, 2.0);
+        expectRightOrWithheld(result.margins.phase_deg, trueMargins(result.law).phaseMargin_deg, 2.0);
+        told += result.margins.phase_deg.value ? 1 : 0;
         count(all, result);
         std::erase_if(result.points, [](const FrequencyResultPoint& point) {
             return point.measured.frequency_rad_s < 2.0 * Pi * 15.0;
         });
         count(fast, result);
     }
+    EXPECT_GE(told, 3); // of 4: withholding everything would be no answer
     EXPECT_GT(all.coherent, 140);
     EXPECT_GE(all.held, static_cast<int>(std::ceil(0.95 * all.coherent)));
     EXPECT_GT(fast.coherent, 20);
-    EXPECT_GE(fast.held, fast.coherent * 9 / 10); // of about 40: more than four outside once in ten times
+    EXPECT_GE(fast.held, fast.coherent * 9 / 10); // of about 40: more than four outside once in 21 times
 }
 
 // What the board compensates, 2.5 mT/A, against what the coils do: the difference over 157 mT is the angle
@@ -214,9 +224,9 @@ TEST(FrequencyIdentification, theFitFindsWhatTheCompensationLeaves) {
         ASSERT_TRUE(result.fit);
         const double left_rad_per_A = (coefficient_mT_per_A - 2.5) / 157.0;
         EXPECT_EQ(holds(result.fit->feedthrough, left_rad_per_A), 1) << coefficient_mT_per_A;
-        EXPECT_NEAR(*result.fit->feedthrough.value, left_rad_per_A, 0.1 * std::fabs(left_rad_per_A));
-        // A calibration that is contradicted bounds nothing.
-        EXPECT_GE(result.strayError_rad_per_A, std::fabs(left_rad_per_A));
+        EXPECT_TRUE(isFound(result.quality, "stray_field_wrong"));
+        EXPECT_GE(result.quality.verdict, Verdict::Doubtful);
+        // A calibration that is contradicted bounds nothing: the points hold the plant all the same.
         Count all;
         count(all, result);
         EXPECT_GE(all.held, static_cast<int>(std::ceil(0.95 * all.coherent)));
@@ -306,11 +316,6 @@ TEST(FrequencyIdentification, referenceNeverTurnsBack) {
     }
     EXPECT_GT(lowest, 0.19);
     EXPECT_LT(lowest, 0.9);
-}
-
-bool isFound(const DataQuality& quality, const std::string& code) {
-    return std::any_of(quality.findings.begin(), quality.findings.end(),
-                       [&code](const Finding& finding) { return finding.code == code; });
 }
 
 struct Lively {
