@@ -29,7 +29,7 @@ private:
         {"a bandwidth of {} Hz is not possible with this motor at {} Hz sampling and {} samples of delay",
          "bei {1} Hz: {0} Hz"},
         {"the board stopped", "gestoppt"},
-        {"Nothing was armed. Check the temperature sensors.", "Sensoren prüfen!"},
+        {"Nothing was armed. Use a shorter run or less current, or let the motor cool.", "Abkühlen lassen!"},
         {"remove the cause, then release the stop", "Ursache finden"},
         {", the device clock is fast by {} +- {} ppm", ", Uhr: {} +- {}"},
         {"off", "aus"},
@@ -90,8 +90,10 @@ TEST_F(PhrasebookTest, followsTheOrderOfTheTranslationAndMayLeaveOut) {
 
 TEST_F(PhrasebookTest, looksUpEachOfSeveralSentences) {
     EXPECT_EQ(said("the board stopped. remove the cause, then release the stop"), "gestoppt. Ursache finden");
-    EXPECT_EQ(said("Nothing was armed. Check the temperature sensors. the board stopped"),
-              "Sensoren prüfen. gestoppt");
+    EXPECT_EQ(
+        said(
+            "Nothing was armed. Use a shorter run or less current, or let the motor cool. the board stopped"),
+        "Abkühlen lassen. gestoppt");
 }
 
 TEST_F(PhrasebookTest, looksUpASentenceBehindItsPlace) {
