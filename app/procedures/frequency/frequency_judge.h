@@ -12,7 +12,7 @@ struct MeasuredStage {
     std::vector<std::size_t> sweepRows; ///< of a chirp: where each sweep may begin
 };
 
-/// What was measured, as the judgement needs it.
+/// Recording of a frequency response with its plan and its law, before it is judged.
 struct FrequencyRun {
     FrequencyConfig config;
     FrequencyMargins margins; ///< the law that ran and its period

@@ -29,7 +29,7 @@ struct MotorEstimate {
     std::vector<Finding> doubts = {}; ///< of its measurement (doubtsOfModel)
 };
 
-/// What the loop design knows of the sensing: how well the stray field of the coils is compensated.
+/// Stray field of the coils at the angle sensors, and how well the board compensates it.
 struct StrayField {
     double amplitude_T = 0.157;          ///< field of the rotor at the sensors, B0
     double coefficient_T_per_A = 0.0;    ///< k_s, identified or from the profile

@@ -10,7 +10,7 @@ import sys
 import unittest
 
 import halbench
-from halbench import ProgramCase
+from halbench import ProgramCase, product
 
 NOTCH = {"kind": "notch", "frequency_rad_s": 180, "depth_ratio": 0.1, "damping_ratio": 0.5}
 LOW_PASS = {"kind": "low-pass", "corner_rad_s": 250, "order": 1}
@@ -152,14 +152,6 @@ class ShapedGains(ProgramCase):
         answer = self.run_program("tune", "m.json", "--gains", "s.json", "--json")
         self.assertEqual(answer.code, 1)
         self.assertEqual(answer.json()["data_quality"]["verdict"], "refused")
-
-
-def product(one, other):
-    result = [0.0] * (len(one) + len(other) - 1)
-    for i, a in enumerate(one):
-        for j, b in enumerate(other):
-            result[i + j] += a * b
-    return result
 
 
 def total(one, other):

@@ -18,7 +18,7 @@ import sys
 import unittest
 
 import halbench
-from halbench import ProgramCase
+from halbench import ProgramCase, product
 
 WRAPPER = """#include "law.c"
 static position_law memory;
@@ -58,14 +58,6 @@ class Law:
         if current == demand or error * demand < 0:
             self.integral += self.period_s * v("ki") * error
         return current
-
-
-def product(one, other):
-    result = [0.0] * (len(one) + len(other) - 1)
-    for i, a in enumerate(one):
-        for j, b in enumerate(other):
-            result[i + j] += a * b
-    return result
 
 
 def sampled(numerator, denominator, frequency_rad_s, period_s):

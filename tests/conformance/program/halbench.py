@@ -44,6 +44,15 @@ def limit_file_size(octets):
     return prepare
 
 
+def product(one, other):
+    """Of two polynomials, highest power first."""
+    result = [0.0] * (len(one) + len(other) - 1)
+    for i, a in enumerate(one):
+        for j, b in enumerate(other):
+            result[i + j] += a * b
+    return result
+
+
 class ProgramCase(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

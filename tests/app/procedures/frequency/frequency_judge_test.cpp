@@ -8,6 +8,16 @@
 namespace halbench::app {
 namespace {
 
+FrequencyResult coherentPoints() {
+    FrequencyResult result;
+    result.points.resize(20);
+    for (FrequencyResultPoint& point : result.points) {
+        point.isUsed = true;
+        point.measured.frequency_rad_s = 10.0;
+    }
+    return result;
+}
+
 // A frictionless rotor's damping comes out on either side of zero: noise is no fault of the motor.
 TEST(FrequencyIdentification, dampingIsRefusedWhereItIsClearlyNegativeOnly) {
     struct Case {
@@ -15,12 +25,7 @@ TEST(FrequencyIdentification, dampingIsRefusedWhereItIsClearlyNegativeOnly) {
         std::pair<double, double> interval95;
         Verdict verdict;
     };
-    FrequencyResult result;
-    result.points.resize(20);
-    for (FrequencyResultPoint& point : result.points) {
-        point.isUsed = true;
-        point.measured.frequency_rad_s = 10.0;
-    }
+    FrequencyResult result = coherentPoints();
     for (const Case& one :
          {Case{1.0, {0.5, 1.5}, Verdict::Good}, Case{0.0, {0.0, 0.4}, Verdict::Good},           // 4 %
           Case{0.1, {0.0, 0.6}, Verdict::Doubtful}, Case{-0.3, {-1.4, 0.8}, Verdict::Doubtful}, // 6, 8 %
@@ -49,12 +54,7 @@ TEST(FrequencyIdentification, aTorqueConstantThatIsNotPositiveIsNeverGood) {
         const char* code;
         Verdict verdict;
     };
-    FrequencyResult result;
-    result.points.resize(20);
-    for (FrequencyResultPoint& point : result.points) {
-        point.isUsed = true;
-        point.measured.frequency_rad_s = 10.0;
-    }
+    FrequencyResult result = coherentPoints();
     for (const Case& one : {Case{-26.0, {-27.0, -25.0}, "sign_reversed", Verdict::Refused},
                             Case{-1.0, {-3.0, 1.0}, "sign_reversed", Verdict::Refused},
                             Case{0.0, {-1.0, 1.0}, "sign_reversed", Verdict::Refused},
