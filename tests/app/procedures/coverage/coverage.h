@@ -9,6 +9,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace halbench::app {
 
@@ -17,6 +18,7 @@ namespace halbench::app {
 struct Coverage {
     std::array<int, 3> covered{};
     std::array<int, 3> missedAndGood{}; ///< intervals that exclude the truth in a result that is called good
+    std::vector<double> dampingHalfWidths_ratio; ///< of the intervals of c, to c itself
     int runs = 0;
     int notGood = 0; ///< verdicts
 };
@@ -60,6 +62,10 @@ inline Coverage countCoverage(int firstSeed, int lastSeed, const std::string& ov
             const bool isHeld = interval && interval->first <= truth[i] && truth[i] <= interval->second;
             coverage.covered[i] += isHeld;
             coverage.missedAndGood[i] += interval && !isHeld && result->quality.verdict == Verdict::Good;
+        }
+        if (const auto& interval = result->viscousDamping.interval95) {
+            coverage.dampingHalfWidths_ratio.push_back(0.5 * (interval->second - interval->first) /
+                                                       motor.damping);
         }
         coverage.notGood += result->quality.verdict != Verdict::Good;
         ++coverage.runs;
