@@ -16,6 +16,9 @@ if(HALBENCH_SANITIZE)
   target_compile_options(halbench_options INTERFACE -fsanitize=${HALBENCH_SANITIZE}
     -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(halbench_options INTERFACE -fsanitize=${HALBENCH_SANITIZE})
+  if(HALBENCH_SANITIZE_WITHOUT) # must stand after -fsanitize
+    target_compile_options(halbench_options INTERFACE -fno-sanitize=${HALBENCH_SANITIZE_WITHOUT})
+  endif()
 endif()
 
 # halbench_library(control_lti DEPENDS control_base ...): one static library of all sources in this folder
