@@ -220,32 +220,41 @@ double PlanePath::distanceFrom(double x, double y) const {
     return distance;
 }
 
+void PathSpan::include(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+}
+
 /// At its ends and where the direction is that of an axis: every quarter turn from there.
-std::array<double, 2> PlanePath::reachOfArc() const {
+std::array<PathSpan, 2> PlanePath::spanOfArc() const {
     const double radius = std::fabs(m_config.radius);
     const double bend = bendOf(m_config);
     const double sign = m_config.shape == Shape::Arc && m_config.angle_rad < 0.0 ? -1.0 : 1.0;
     const double quarter = 0.5 * Pi;
     const double start = sign * std::atan2(m_direction[1], m_direction[0]);
-    const PlanePoint end = onArc({radius * bend, 0.0, 0.0});
-    std::array<double, 2> reach = {std::fabs(end[0].value), std::fabs(end[1].value)};
+    std::array<PathSpan, 2> span;
+    const auto include = [&](double angle) {
+        const PlanePoint point = onArc({radius * angle, 0.0, 0.0});
+        span[0].include(point[0].value);
+        span[1].include(point[1].value);
+    };
+    include(bend);
     const double first = std::ceil(start / quarter) * quarter - start;
     for (double angle = first; angle <= std::min(bend, first + 2.0 * Pi); angle += quarter) {
-        const PlanePoint point = onArc({radius * angle, 0.0, 0.0});
-        reach = {std::max(reach[0], std::fabs(point[0].value)),
-                 std::max(reach[1], std::fabs(point[1].value))};
+        include(angle);
     }
-    return reach;
+    return span;
 }
 
-std::array<double, 2> PlanePath::reach() const {
+std::array<PathSpan, 2> PlanePath::span() const {
     if (isBent()) {
-        return reachOfArc();
+        return spanOfArc();
     }
-    if (m_config.shape == Shape::Line) {
-        return {std::fabs(m_direction[0] * m_config.length), std::fabs(m_direction[1] * m_config.length)};
-    }
-    return {std::fabs(m_config.width), std::fabs(m_config.pitch) * (m_config.lines - 1)};
+    std::array<PathSpan, 2> span;
+    const bool isLine = m_config.shape == Shape::Line;
+    span[0].include(isLine ? m_direction[0] * m_config.length : m_config.width);
+    span[1].include(isLine ? m_direction[1] * m_config.length : m_config.pitch * (m_config.lines - 1));
+    return span;
 }
 
 } // namespace halbench::control

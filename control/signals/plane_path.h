@@ -28,6 +28,15 @@ struct PlanePathConfig {
     TravelLimits limits;
 };
 
+/// How far a path goes along one axis, counted from its start: `least` is negative or 0, `most` positive or 0.
+struct PathSpan {
+    double least = 0.0;
+    double most = 0.0;
+
+    double reach() const { return -least > most ? -least : most; }
+    void include(double value);
+};
+
 /// x and y at one instant.
 using PlanePoint = std::array<TravelPoint, 2>;
 
@@ -42,8 +51,8 @@ public:
     double duration_s() const;
     /// From a point to the nearest one of the whole path: its contour error.
     double distanceFrom(double x, double y) const;
-    /// Largest distance from the origin along each axis.
-    std::array<double, 2> reach() const;
+    /// Along each axis, exact: at its ends and where it turns round.
+    std::array<PathSpan, 2> span() const;
 
 private:
     struct Piece {
@@ -58,7 +67,7 @@ private:
     PlanePoint turned(const TravelPoint& ahead, const TravelPoint& across) const;
     PlanePoint onArc(const TravelPoint& along) const;
     double distanceFromArc(double x, double y) const;
-    std::array<double, 2> reachOfArc() const;
+    std::array<PathSpan, 2> spanOfArc() const;
 
     PlanePathConfig m_config;
     std::array<double, 2> m_direction = {1.0, 0.0}; ///< at the start, of length one

@@ -332,22 +332,20 @@ Result<void> checkTableLimits(const MoveReference& reference, const std::vector<
     return {};
 }
 
-Result<void> checkTableEnds(const MoveReference& reference, const std::vector<TableAxisEnds>& ends) {
+Result<void> checkTableEnds(const MoveReference& reference, const std::vector<AxisTravel>& ends) {
     const PoseTable& table = reference.table->table;
     for (const control::MotionPiece& piece : reference.table->motion.pieces()) {
-        for (const TableAxisEnds& end : ends) {
+        for (const AxisTravel& end : ends) {
             const auto column = table.columnOf(end.axis);
             const control::PiecePeaks peaks = column ? piece.peaks(*column) : control::PiecePeaks{};
-            const double least = end.position + peaks.least;
-            const double most = end.position + peaks.most;
-            const double place = -least > most ? least : most;
-            if (column && std::fabs(place) > end.travel) {
+            const auto place = placeBeyondEnd(end, {peaks.least, peaks.most});
+            if (column && place) {
                 const std::string& unit = table.columns[*column].unit;
                 return failure(
                     ErrorCode::OutOfRange,
                     fmt::format("{}: row {}: axis {} would come to {:.4g} {}, its travel ends at {:.4g} {}",
-                                table.placeOf(piece.row), piece.row + 1, end.axis, place, unit,
-                                std::copysign(end.travel, place), unit),
+                                table.placeOf(piece.row), piece.row + 1, end.axis, *place, unit,
+                                std::copysign(end.travel, *place), unit),
                     "Poses count from where the axes stand: move them nearer to the middle first. Nothing "
                     "moved.");
             }

@@ -2,6 +2,7 @@
 
 #include "app/procedures/excite/move_reference.h"
 #include "app/procedures/excite/pose_table.h"
+#include "app/procedures/excite/travel_ends.h"
 #include "devices/device.h"
 
 #include <functional>
@@ -49,14 +50,8 @@ struct TableAxisLimits {
 /// Every row and the way between. Errors: OutOfRange with file, line, row, value and limit.
 Result<void> checkTableLimits(const MoveReference& reference, const std::vector<TableAxisLimits>& limits);
 
-/// Where an axis stands, counted from the middle of its travel.
-struct TableAxisEnds {
-    std::string axis;
-    double travel = 0.0; ///< to either side
-    double position = 0.0;
-};
 /// Every row and the way between. Errors: OutOfRange with file, line, row, and how far it may go.
-Result<void> checkTableEnds(const MoveReference& reference, const std::vector<TableAxisEnds>& ends);
+Result<void> checkTableEnds(const MoveReference& reference, const std::vector<AxisTravel>& ends);
 
 /// Position of an axis at a time from the start; nothing of an axis that the table does not move.
 std::optional<double> tablePointAt(const MoveReference& reference, double time_s, std::string_view axis);

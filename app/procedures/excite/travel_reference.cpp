@@ -182,7 +182,7 @@ std::optional<double> travelPointAt(const MoveReference& reference, double time_
 
 double pathReach(const MoveReference& reference) {
     const auto path = planePath(reference);
-    return path ? std::max(path->reach().front(), path->reach().back()) : 0.0;
+    return path ? std::max(path->span().front().reach(), path->span().back().reach()) : 0.0;
 }
 
 std::vector<ParameterValue> pathParameters(const MoveReference& reference) {

@@ -137,23 +137,46 @@ Result<MoveTask> tableTask(devices::Device& device, const MoveConfig& config) {
     return kept ? Result<MoveTask>(std::move(task)) : failure(kept.error());
 }
 
-/// From where the axes stand now no row lies beyond the end of their travel.
-Result<void> checkEnds(devices::Device& device, const MoveReference& reference) {
+/// Where an axis that moves stands, and its travel; nothing of an axis without ends.
+Result<std::optional<AxisTravel>> travelNow(devices::Device& device, const devices::AxisSpec& axis) {
     const devices::Catalogue& catalogue = device.catalogue();
-    std::vector<TableAxisEnds> ends;
-    for (const devices::AxisSpec& axis : axesOf(catalogue)) {
-        const auto travel = travelOf(catalogue, axis);
-        if (!travel || tableReach(reference, axis.id) == 0.0) {
+    const auto travel = travelOf(catalogue, axis);
+    if (!travel) {
+        return std::optional<AxisTravel>();
+    }
+    const std::string names[] = {signalOf(catalogue, axis.roles.position)};
+    const auto position = device.readSignals(names);
+    if (!position) {
+        return failure(position.error());
+    }
+    return std::optional(AxisTravel{axis.id, *travel, position->front()});
+}
+
+/// From where the axes stand now the reference leads none beyond the end of its travel.
+Result<void> checkEnds(devices::Device& device, const MoveConfig& config, const MoveTask& task) {
+    std::vector<devices::AxisSpec> moved = {task.axis};
+    for (const PartnerAxis& partner : task.partners) {
+        moved.push_back(partner.axis);
+    }
+    std::vector<AxisTravel> ends;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        const auto travel = travelNow(device, moved[i]);
+        if (!travel) {
+            return failure(travel.error());
+        }
+        if (!*travel) {
             continue;
         }
-        const std::string names[] = {signalOf(catalogue, axis.roles.position)};
-        const auto position = device.readSignals(names);
-        if (!position) {
-            return failure(position.error());
+        ends.push_back(**travel);
+        if (isTable(config.reference)) {
+            continue;
         }
-        ends.push_back({axis.id, *travel, position->front()});
+        const control::PathSpan span = referenceSpan(config.reference, config.duration_s, i);
+        if (auto within = checkReferenceEnds(**travel, moved[i].positionUnit, span); !within) {
+            return within;
+        }
     }
-    return checkTableEnds(reference, ends);
+    return isTable(config.reference) ? checkTableEnds(config.reference, ends) : Result<void>();
 }
 
 // Without a shape the reference of an axis stays where it is.
@@ -279,8 +302,9 @@ Result<void> setMoveGenerator(devices::Device& device, const MoveConfig& config,
 
 // What the coils will be heated by is known where the effort is their current; a bounded axis is brought to
 // rest by its own loop, so that it need not rest before.
-Result<void> prepareMove(devices::Device& device, const MoveConfig& config, const devices::AxisSpec& axis,
+Result<void> prepareMove(devices::Device& device, const MoveConfig& config, const MoveTask& task,
                          const ProcedureObserver& observer) {
+    const devices::AxisSpec& axis = task.axis;
     MovePrediction prediction{config.duration_s, 0.0, 0.0};
     if (axis.effortUnit == "A" && device.catalogue().axes.size() < 2) {
         const auto law = readPositionLaw(device);
@@ -298,7 +322,7 @@ Result<void> prepareMove(devices::Device& device, const MoveConfig& config, cons
         return awaitStandstill(device, axis, observer);
     }
     const auto homed = awaitZero(device, observer);
-    return homed && isTable(config.reference) ? checkEnds(device, config.reference) : homed;
+    return homed ? checkEnds(device, config, task) : homed;
 }
 
 bool MoveTask::moves(const devices::AxisSpec& other) const {

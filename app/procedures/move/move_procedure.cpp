@@ -147,7 +147,7 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted
         return failure(task.error());
     }
     const MoveConfig config = atPossibleRate(device, task->axis, wanted);
-    if (auto prepared = prepareMove(device, config, task->axis, observer); !prepared) {
+    if (auto prepared = prepareMove(device, config, *task, observer); !prepared) {
         return failure(prepared.error());
     }
     if (auto set = setMoveWindows(device, *task); !set) {

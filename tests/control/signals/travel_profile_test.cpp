@@ -144,8 +144,8 @@ TEST(PlanePath, rasterGoesForthAndBackFromLineToLine) {
         EXPECT_NEAR(path->at(time_s)[1].value, y, 1e-12) << time_s;
         EXPECT_NEAR(path->at(time_s)[0].speed, 0.0, 1e-9) << time_s;
     }
-    EXPECT_NEAR(path->reach()[0], 2e-3, 1e-15);
-    EXPECT_NEAR(path->reach()[1], 2e-4, 1e-15);
+    EXPECT_NEAR(path->span()[0].reach(), 2e-3, 1e-15);
+    EXPECT_NEAR(path->span()[1].reach(), 2e-4, 1e-15);
 }
 
 PlanePathConfig arc(double radius, double angle_rad, double heading_rad) {
@@ -189,8 +189,8 @@ TEST(PlanePath, arcIsWhatAWheelRollsThatIsSteeredByItsRadius) {
             }
         }
         EXPECT_NEAR(direction - heading, angle, 1e-5);
-        EXPECT_NEAR(path->reach()[0], reach[0], 1e-5 * radius) << i;
-        EXPECT_NEAR(path->reach()[1], reach[1], 1e-5 * radius) << i;
+        EXPECT_NEAR(path->span()[0].reach(), reach[0], 1e-5 * radius) << i;
+        EXPECT_NEAR(path->span()[1].reach(), reach[1], 1e-5 * radius) << i;
     }
 }
 
@@ -226,7 +226,7 @@ TEST(PlanePath, lineGoesInItsDirection) {
     EXPECT_NEAR(end[0].value, 3e-3, 1e-12); // 3, 4, 5
     EXPECT_NEAR(end[1].value, -4e-3, 1e-12);
     EXPECT_NEAR(path->at(0.25)[1].speed, -0.008, 1e-12);
-    EXPECT_NEAR(path->reach()[1], 4e-3, 1e-15);
+    EXPECT_NEAR(path->span()[1].reach(), 4e-3, 1e-15);
     EXPECT_NEAR(path->distanceFrom(3e-3 + 4e-5, -4e-3 + 3e-5), 5e-5, 1e-12); // across its end
     EXPECT_NEAR(path->distanceFrom(6e-3, -8e-3), 5e-3, 1e-12);               // as far again beyond it
 }

@@ -118,6 +118,35 @@ TEST(TravelMove, refusesBeforeAnythingMoves) {
     EXPECT_EQ(codeOf(tooShort), ErrorCode::InvalidInput);
 }
 
+// The platen begins at (6.35, -6.35 mm); its stops stand at 50 mm and 20 mrad (planar-theory.md section 3).
+TEST(TravelMove, noReferenceLeadsBeyondTheEndOfTheTravel) {
+    const auto device = openPlaten();
+    ASSERT_NE(device, nullptr);
+    const auto errorOf = [&](const std::string& axis, const std::string& reference) {
+        MoveConfig config = move(reference, 0.0);
+        config.axis = axis;
+        config.duration_s = defaultDuration_s(config.reference).value_or(1.0);
+        const auto result = runMove(*device, config, {});
+        EXPECT_FALSE(device->state().isArmed);
+        return result ? std::string() : result.error().message;
+    };
+    for (const auto& [axis, reference] : {std::pair<std::string, std::string>{"x", "step,amplitude_mm=48"},
+                                          {"y", "step,amplitude_mm=-44"},
+                                          {"phi", "step,amplitude_mrad=25"},
+                                          {"phi", "sine,amplitude_mrad=21,frequency_hz=0.2"},
+                                          {"x", "s-curve,amplitude_mm=44" + Limits},
+                                          {"y", "staircase,amplitude_mm=-9,period_s=0.1,count=5"},
+                                          {"x", "ramp,rate_mm_s=45"},
+                                          {"", "line,length_mm=45,heading_deg=0" + Limits},
+                                          {"", "raster,width_mm=2,lines=3,pitch_mm=-23" + Limits},
+                                          {"", "circle,radius_mm=22.5" + Limits}}) {
+        EXPECT_NE(errorOf(axis, reference).find("its travel ends at"), std::string::npos)
+            << axis << " " << reference << ": " << errorOf(axis, reference);
+    }
+    EXPECT_EQ(errorOf("", "circle,radius_mm=-22.5" + Limits), ""); // 45 mm the other way
+    EXPECT_EQ(errorOf("y", "s-curve,amplitude_mm=42" + Limits), "");
+}
+
 TEST(TravelMove, motorHasNeitherTravelsNorPaths) {
     auto device = devices::openDevice("sim:htm", {});
     ASSERT_TRUE(device);
