@@ -24,12 +24,26 @@ constexpr std::array<std::string_view, 14> ShapeNames = {
 constexpr std::array<MoveReference::Shape, ShapeNames.size()> Shapes = {
     Step, Ramp, Sine, Staircase, Chirp, Multisine, Trapezoid, SCurve, Circle, Raster, Arc, Line, Table, Rest};
 
-Result<void> need(bool isThere, MoveReference::Shape shape, const char* key) {
+Result<void> need(bool isThere, MoveReference::Shape shape, const std::string& key) {
     if (isThere) {
         return {};
     }
     return failure(ErrorCode::InvalidInput, fmt::format("a {} needs {}", moveShapeName(shape), key),
                    fmt::format("Add {}=... to the reference.", key));
+}
+
+/// A size or rate, whose key says in what: an angle or a length. Nothing that was given may say it yet.
+Result<void> needSize(bool isThere, const MoveReference& reference, const char* name, const char* per = "") {
+    if (isThere || reference.quantity == Quantity::Angle) {
+        return need(isThere, reference.shape, fmt::format("{}_deg{}", name, per));
+    }
+    if (reference.quantity == Quantity::Length) {
+        return need(isThere, reference.shape, fmt::format("{}_mm{}", name, per));
+    }
+    return failure(
+        ErrorCode::InvalidInput,
+        fmt::format("a {} needs {}_deg{} or {}_mm{}", moveShapeName(reference.shape), name, per, name, per),
+        fmt::format("Add {}_deg{}=... or {}_mm{}=... to the reference.", name, per, name, per));
 }
 
 /// An angle or heading that the shape does not have would be left out unseen.
@@ -138,17 +152,17 @@ Result<void> checkMoveReference(const MoveReference& reference) {
     switch (reference.shape) {
     case Shape::Step:
     case Shape::Staircase:
-        return need(hasAmplitude, reference.shape, "amplitude_deg");
+        return needSize(hasAmplitude, reference, "amplitude");
     case Shape::Ramp:
-        return need(reference.rate != 0.0, reference.shape, "rate_deg_s");
+        return needSize(reference.rate != 0.0, reference, "rate", "_s");
     case Shape::Sine:
-        if (auto amplitude = need(hasAmplitude, reference.shape, "amplitude_deg"); !amplitude) {
+        if (auto amplitude = needSize(hasAmplitude, reference, "amplitude"); !amplitude) {
             return amplitude;
         }
         return need(reference.frequency_Hz > 0.0, reference.shape, "frequency_hz");
     case Shape::Chirp:
     case Shape::Multisine:
-        if (auto amplitude = need(hasAmplitude, reference.shape, "amplitude_deg"); !amplitude) {
+        if (auto amplitude = needSize(hasAmplitude, reference, "amplitude"); !amplitude) {
             return amplitude;
         }
         if (auto first = need(reference.frequency_Hz > 0.0, reference.shape, "frequency_hz"); !first) {
