@@ -1,6 +1,7 @@
 #include "models/planar/planar_parameters.h"
 
 #include "control/base/assert.h"
+#include "control/base/choice_words.h"
 
 #include <fmt/format.h>
 
@@ -12,9 +13,16 @@ namespace {
 
 using P = PlanarParameters;
 
+constexpr std::string_view WrenchWords = "windings|prism|published"; // as WrenchModel
+constexpr std::string_view FaultWords = "none|dead|stuck|clipped";   // as ChipFault
+
 // A value that every specimen shares / an error that is drawn unless it is written down.
 #define HB_SHARED(member) [](P& p) -> double& { return p.member; }, nullptr
 #define HB_SPECIMEN(member) nullptr, [](P& p) -> std::optional<double>& { return p.member; }
+#define HB_CHOICE(key, words, meaning, member)                                                               \
+    PlanarParameterSpec {                                                                                    \
+        key, "", 0.0, lastChoice(words), 1.0, 'A', meaning, HB_SHARED(member), words                         \
+    }
 
 // The errors of one chip, in the same words for each: plus and minus a limit.
 #define HB_ERROR(key, unit, limit, toSi, meaning, member)                                                    \
@@ -38,7 +46,8 @@ using P = PlanarParameters;
         HB_ERROR("hall" n "_place_error_y_mm", "mm", 2.0, Milli, "y' place error of chip " n,                \
                  chipErrors[i].placeY_m),                                                                    \
         HB_ERROR("hall" n "_height_error_mm", "mm", 2.0, Milli, "height error of chip " n,                   \
-                 chipErrors[i].height_m)
+                 chipErrors[i].height_m),                                                                    \
+        HB_CHOICE("hall" n "_fault", FaultWords, "fault of chip " n, chipFault[i])
 
 constexpr double Milli = 1e-3;
 constexpr double Micro = 1e-6;
@@ -137,6 +146,8 @@ const std::array Specs = {
     HB_CHIP("1", 0),
     HB_CHIP("2", 1),
     HB_CHIP("3", 2),
+    PlanarParameterSpec{"fault_after_s", "s", 0.0, 1e4, 1.0, 'A', "time after which chips have their faults",
+                        HB_SHARED(faultAfter_s)},
     PlanarParameterSpec{"hall_gain_sigma", "", 0.0, 0.1, 1.0, 'A', "spread of the drawn gains, 1 sigma",
                         HB_SHARED(hallGainSpread_ratio)},
     PlanarParameterSpec{"hall_offset_sigma_uT", "uT", 0.0, 2000.0, Micro, 'A',
@@ -176,6 +187,7 @@ const std::array Specs = {
                         HB_SHARED(stopDamping_ratio)},
     PlanarParameterSpec{"k_b", "N/m", 1e5, 1e9, 1.0, 'G', "stiffness of each air bearing",
                         HB_SHARED(bearingStiffness_N_per_m)},
+    HB_CHOICE("wrench", WrenchWords, "model of the coils' forces, section 5", wrench),
     // heat
     PlanarParameterSpec{"ambient_C", "degC", -20.0, 60.0, 1.0, 'A', "ambient temperature",
                         HB_SHARED(ambient_degC)},
@@ -206,12 +218,14 @@ constexpr std::array Symbols = {
 };
 
 #undef HB_CHIP
+#undef HB_CHOICE
 #undef HB_ERROR
 #undef HB_SHARED
 #undef HB_SPECIMEN
 
 bool isCount(std::string_view key) {
-    return key == "delay_samples" || key == "dac_bits" || key == "adc_bits" || key == "lattice_pitches";
+    return key == "delay_samples" || key == "dac_bits" || key == "adc_bits" || key == "lattice_pitches" ||
+           !planarParameterWords(key).empty();
 }
 
 const PlanarSymbol* findSymbol(std::string_view key) {
@@ -265,6 +279,11 @@ const PlanarParameterSpec* findPlanarParameter(std::string_view key) {
     const auto found =
         std::find_if(Specs.begin(), Specs.end(), [&](const auto& spec) { return spec.key == name; });
     return found == Specs.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> planarParameterWords(std::string_view key) {
+    const PlanarParameterSpec* spec = findPlanarParameter(key);
+    return spec == nullptr ? std::vector<std::string>() : choiceWords(spec->words);
 }
 
 std::string planarParameterKeys() {

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace halbench::models {
 
@@ -90,6 +91,10 @@ struct PlanarParameters {
     std::optional<double> temperatureError_K;
     double temperatureSpread_K = 1.0;
 
+    double wrench = 0.0; ///< WrenchModel of the coils' forces, an index
+    std::array<double, ChipCount> chipFault{}; ///< ChipFault of each, an index
+    double faultAfter_s = 0.0; ///< from then on the chips have their faults
+
     bool isIdealChain = false; ///< converters keep fractions, currents follow at once
 };
 
@@ -104,6 +109,7 @@ struct PlanarParameterSpec {
     std::string_view meaning; ///< one sentence
     double& (*value)(PlanarParameters&) = nullptr;
     std::optional<double>& (*specimen)(PlanarParameters&) = nullptr; ///< instead of `value` if drawn by seed
+    std::string_view words = {}; ///< of a choice, separated by '|'; the value is the word's index
 };
 
 /// Symbol of the equations for a value whose key names a unit; written in SI.
@@ -120,6 +126,9 @@ std::span<const PlanarSymbol> planarSymbols();
 
 /// The value that a key or a symbol names; nullptr if there is none.
 const PlanarParameterSpec* findPlanarParameter(std::string_view key);
+
+/// The words of a choice; empty for a number or an unknown key.
+std::vector<std::string> planarParameterWords(std::string_view key);
 
 /// "m, Iz, ... sigma_B, seed, imperfections, chain": every key of an address, for messages.
 std::string planarParameterKeys();

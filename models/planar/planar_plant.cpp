@@ -26,9 +26,10 @@ Result<PlanarPlant> PlanarPlant::make(const PlanarParameters& parameters, std::u
 
 PlanarPlant::PlanarPlant(const PlanarParameters& parameters, std::uint64_t seed, double subStep_s)
     : m_subStep_s(subStep_s), m_parameters(parameters), m_specimen(drawSpecimen(parameters, seed)),
-      m_map(WrenchModel::Windings, parameters.geometry),
+      m_map(static_cast<WrenchModel>(static_cast<int>(parameters.wrench)), parameters.geometry),
       m_bearings(parameters.geometry, parameters.bearingStiffness_N_per_m, parameters.mass_kg,
                  m_specimen.platen.massCentre_m),
+      m_stepsToFault(std::llround(parameters.faultAfter_s / subStep_s)),
       m_sensorNoise(Random(seed).fork(NoiseStream)), m_slowNoise(Random(seed).fork(SlowForceStream)),
       m_slowKept(std::exp(-2.0 * Pi * parameters.slowForceCorner_Hz * subStep_s)) {
     m_adc.reference_V = 2.0 * parameters.adcRange_V;
@@ -48,6 +49,9 @@ PlanarPlant::PlanarPlant(const PlanarParameters& parameters, std::uint64_t seed,
     m_truth.slowForce_N =
         parameters.slowForce_N * Eigen::Vector2d(m_slowNoise.gaussian(), m_slowNoise.gaussian());
     m_truth.bearings = m_bearings.under(Eigen::Matrix<double, CoilCount, 1>::Zero());
+    if (m_stepsToFault == 0) {
+        takeFaults();
+    }
 }
 
 CoilWrench PlanarPlant::wrenchAt(const PlanarPose& pose) const {
@@ -94,6 +98,13 @@ void PlanarPlant::drive(std::span<const float> codes) {
 void PlanarPlant::setFault(int chip, ChipFault fault) {
     HB_ASSERT(chip >= 0 && chip < ChipCount);
     m_fault[static_cast<std::size_t>(chip)] = fault;
+}
+
+void PlanarPlant::takeFaults() {
+    for (int chip = 0; chip < ChipCount; ++chip) {
+        setFault(chip, static_cast<ChipFault>(
+                           static_cast<int>(m_parameters.chipFault[static_cast<std::size_t>(chip)])));
+    }
 }
 
 void PlanarPlant::stepCurrents(const CoilWrench& map, CoilCurrents_A& mean_A) {
@@ -146,6 +157,9 @@ void PlanarPlant::advanceOnce() {
     stepPlaten(m_specimen.platen, m_truth.platen, m_truth.wrench, m_truth.slowForce_N, m_subStep_s);
     m_truth.bearings = m_bearings.under(map.lift_N_per_A.transpose().cwiseProduct(mean_A));
     heat(mean_A);
+    if (m_stepsToFault > 0 && --m_stepsToFault == 0) {
+        takeFaults();
+    }
 }
 
 void PlanarPlant::advance(int subSteps) {

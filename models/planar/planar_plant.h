@@ -24,7 +24,7 @@ struct PlanarTruth {
     Eigen::Vector2d slowForce_N = Eigen::Vector2d::Zero();
 };
 
-/// The whole positioner between the board's DAC and its ADC: amplifiers, coils, forces by the windings model,
+/// The whole positioner between the board's DAC and its ADC: amplifiers, coils, forces by a WrenchModel,
 /// platen, bearings, Hall chips, temperature sensors, heat. Advances in sub-steps, usually of 0.25 ms.
 /// Converters are bipolar: code 2^bits/2 is 0 V. Same parameters and seed give the same bits. Thread: any
 /// one. Source: resources/help/planar-theory.md sections 5.3, 7 and 8.
@@ -59,6 +59,7 @@ public:
 
 private:
     PlanarPlant(const PlanarParameters& parameters, std::uint64_t seed, double subStep_s);
+    void takeFaults();
     void advanceOnce();
     void stepCurrents(const CoilWrench& map, CoilCurrents_A& mean_A);
     void stepSlowForce();
@@ -74,6 +75,7 @@ private:
     std::array<double, DriveCount> m_demand_A{};
     std::array<CoilHeatingState, CoilCount> m_coil;
     std::array<ChipFault, ChipCount> m_fault{};
+    std::int64_t m_stepsToFault;
     std::array<Eigen::Vector2d, ChipCount> m_report_T;
     PlanarTruth m_truth;
     Random m_sensorNoise;

@@ -1,6 +1,7 @@
 #include "models/spherical/spherical_parameters.h"
 
 #include "control/base/assert.h"
+#include "control/base/choice_words.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -22,10 +23,6 @@ constexpr double Degree = Pi / 180.0;
 constexpr std::string_view FaultWords = "none|dead|stuck|clipped";
 constexpr std::string_view NoiseKey = "noise";
 
-double lastIndex(std::string_view words) {
-    return static_cast<double>(std::count(words.begin(), words.end(), '|'));
-}
-
 // A value that every specimen shares, a choice among words, an error drawn unless it is written down.
 #define HB_SHARED(key, unit, min, max, toSi, provenance, meaning, member)                                    \
     Spec {                                                                                                   \
@@ -33,7 +30,7 @@ double lastIndex(std::string_view words) {
     }
 #define HB_CHOICE(key, words, meaning, member)                                                               \
     Spec {                                                                                                   \
-        key, "", 0.0, lastIndex(words), 1.0, 'A', meaning, [](P& p) -> double& { return p.member; },         \
+        key, "", 0.0, lastChoice(words), 1.0, 'A', meaning, [](P& p) -> double& { return p.member; },        \
             nullptr, true, words                                                                             \
     }
 #define HB_DRAWN(key, unit, limit, toSi, meaning, member)                                                    \
@@ -155,17 +152,7 @@ const SphericalParameterSpec* findSphericalParameter(std::string_view key) {
 
 std::vector<std::string> sphericalParameterWords(std::string_view key) {
     const Spec* spec = findSphericalParameter(key);
-    std::vector<std::string> words;
-    if (spec == nullptr || spec->words.empty()) {
-        return words;
-    }
-    std::string_view rest = spec->words;
-    for (auto end = rest.find('|'); end != std::string_view::npos; end = rest.find('|')) {
-        words.emplace_back(rest.substr(0, end));
-        rest.remove_prefix(end + 1);
-    }
-    words.emplace_back(rest);
-    return words;
+    return spec == nullptr ? std::vector<std::string>() : choiceWords(spec->words);
 }
 
 std::string sphericalParameterKeys() {

@@ -155,7 +155,8 @@ Result<models::PlanarParameters> planarParameters(const Overrides& overrides) {
         [](std::string_view key) { return models::findPlanarParameter(key) != nullptr; },
         &models::setPlanarParameter,
         [](models::PlanarParameters parameters) { return models::withoutImperfections(parameters); },
-        [](models::PlanarParameters parameters) { return models::withIdealChain(parameters); }};
+        [](models::PlanarParameters parameters) { return models::withIdealChain(parameters); },
+        &models::planarParameterWords};
     return withOverrides(table, overrides);
 }
 
@@ -166,9 +167,10 @@ SimulatedModel planarModel() {
     model.name = "planar";
     model.title = "Planar six-coil positioner";
     model.overrides = models::planarParameterKeys();
-    model.keys = overrideSpecs(models::planarParameterSpecs(), [](std::string_view key) {
-        return models::planarParameter(models::PlanarParameters{}, key);
-    });
+    model.keys = overrideSpecs(
+        models::planarParameterSpecs(),
+        [](std::string_view key) { return models::planarParameter(models::PlanarParameters{}, key); },
+        &models::planarParameterWords);
     model.check = [](const Overrides& overrides) -> Result<void> {
         const Result<models::PlanarParameters> parameters = planarParameters(overrides);
         return parameters ? models::checkPlanarParameters(*parameters) : failure(parameters.error());

@@ -121,5 +121,18 @@ TEST(PlanarParameters, variantsRemoveWhatTheySay) {
     EXPECT_TRUE(withIdealChain(PlanarParameters{}).isIdealChain);
 }
 
+TEST(PlanarParameters, choicesAreWordsAndEveryWordIsAllowed) {
+    EXPECT_EQ(planarParameterWords("wrench"), (std::vector<std::string>{"windings", "prism", "published"}));
+    for (const char* key : {"hall1_fault", "hall2_fault", "hall3_fault"}) {
+        EXPECT_EQ(planarParameterWords(key), (std::vector<std::string>{"none", "dead", "stuck", "clipped"}));
+        PlanarParameters parameters;
+        EXPECT_TRUE(setPlanarParameter(parameters, key, 3.0));
+        EXPECT_FALSE(setPlanarParameter(parameters, key, 4.0));
+        EXPECT_FALSE(setPlanarParameter(parameters, key, 0.5));
+    }
+    EXPECT_TRUE(planarParameterWords("m").empty());
+    EXPECT_TRUE(planarParameterWords("nothing").empty());
+}
+
 } // namespace
 } // namespace halbench::models

@@ -259,6 +259,53 @@ TEST(PlanarPlant, faultsShowInTheReadingsOfTheirChipOnly) {
     EXPECT_NE(codes[4], expected[4]);
 }
 
+TEST(PlanarPlant, faultsOfTheAddressBeginAfterTheirTime) {
+    PlanarParameters p;
+    p.chipFault = {0.0, 1.0, 2.0}; // none, dead, stuck
+    p.faultAfter_s = 0.01;
+    PlanarPlant healthy = plant({}, 9);
+    PlanarPlant late = plant(p, 9);
+    p.faultAfter_s = 0.0;
+    PlanarPlant early = plant(p, 9);
+    EXPECT_NEAR(field_T(early, codesOf(early)[2]), 0.0, 0.4e-6);
+    EXPECT_EQ(codesOf(late), codesOf(healthy));
+    for (PlanarPlant* positioner : {&healthy, &late}) {
+        positioner->advance(39); // of 0.25 ms
+    }
+    const auto last = codesOf(late);
+    EXPECT_EQ(last, codesOf(healthy));
+    for (PlanarPlant* positioner : {&healthy, &late}) {
+        driveCurrents(*positioner, currents(0.2, 0.0, 0.0, 0.2, 0.2, 0.0));
+        positioner->advance(200);
+    }
+    const auto expected = codesOf(healthy);
+    const auto codes = codesOf(late);
+    EXPECT_EQ(codes[0], expected[0]);
+    EXPECT_NEAR(field_T(late, codes[2]), 0.0, 0.4e-6);
+    EXPECT_EQ(codes[4], last[4]);
+    EXPECT_NE(codes[4], expected[4]);
+}
+
+// Theory sections 5.1 and 5.3: 3.098 N/A a set as published, 3.523 N/A of the windings.
+TEST(PlanarPlant, forcesAreThoseOfTheChosenModel) {
+    for (const auto model : {WrenchModel::Windings, WrenchModel::Prism, WrenchModel::Published}) {
+        PlanarParameters p = withIdealChain({});
+        p.wrench = static_cast<double>(model);
+        const PlanarPlant positioner = plant(p);
+        const WrenchMap map(model, p.geometry);
+        for (const PlanarPose& pose : {PlanarPose{0.0, 0.0, 0.0}, PlanarPose{5e-3, -9e-3, 4e-3}}) {
+            EXPECT_EQ(positioner.wrenchAt(pose).wrench, map.at(pose).wrench);
+        }
+        const double force_N = positioner.wrenchAt({}).wrench.block<1, 2>(1, 0).norm();
+        // The harmonics of the lattice add up to 1 % of the first one; the publication has none of them.
+        if (model == WrenchModel::Published) {
+            EXPECT_NEAR(force_N, 3.098, 1e-3);
+        } else if (model == WrenchModel::Windings) {
+            EXPECT_NEAR(force_N / 3.523, 1.0, 0.012);
+        }
+    }
+}
+
 TEST(PlanarPlant, crosstalkAddsTheFieldOfTheCoils) {
     PlanarParameters p = withIdealChain({});
     p.crosstalk_ratio = 1.0;
