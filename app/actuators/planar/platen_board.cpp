@@ -69,8 +69,8 @@ Result<PlatenBoard> readBoard(devices::Device& device) {
     return board;
 }
 
-Result<PlatenRoom> roomWithin(const models::PlanarPose& start, const std::array<double, 2>& low_m,
-                              const std::array<double, 2>& high_m, double pitch_m) {
+PlatenRoom linesWithin(const models::PlanarPose& start, const std::array<double, 2>& low_m,
+                       const std::array<double, 2>& high_m, double pitch_m) {
     const std::array<double, 2> first = {pitch_m / 8.0, -pitch_m / 8.0};
     const std::array<double, 2> distance = {pitch_m / 4.0, pitch_m / 2.0};
     PlatenRoom room;
@@ -80,19 +80,37 @@ Result<PlatenRoom> roomWithin(const models::PlanarPose& start, const std::array<
         for (; line <= high_m[axis]; line += distance[axis]) {
             room.lines[axis].push_back(line);
         }
+    }
+    return room;
+}
+
+Result<PlatenRoom> roomWithin(const models::PlanarPose& start, const std::array<double, 2>& low_m,
+                              const std::array<double, 2>& high_m, double pitch_m) {
+    PlatenRoom room = linesWithin(start, low_m, high_m, pitch_m);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
         if (room.lines[axis].empty() || room.high(axis) - room.low(axis) < 0.999 * pitch_m) {
             return failure(
                 ErrorCode::Refused,
-                fmt::format("the platen has no room for a pitch along {}: {:.1f} to {:.1f} mm",
-                            AxisNames[axis], 1e3 * low_m[axis], 1e3 * high_m[axis]),
+                fmt::format(
+                    "the platen has no room for a pitch of {:.1f} mm along {}: it may move from {:.1f} to "
+                    "{:.1f} mm, and there only on lines that are {:.1f} mm apart",
+                    1e3 * pitch_m, AxisNames[axis], 1e3 * low_m[axis], 1e3 * high_m[axis],
+                    1e3 * pitch_m / (axis == 0 ? 4.0 : 2.0)),
                 "Move it nearer to the middle, or widen window.x and window.y. Nothing was armed.");
         }
     }
     return room;
 }
 
-Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
-                            const ProcedureObserver& observer, bool& wasHomed) {
+double rotationSight(double x_m, double y_m, double pitch_m) {
+    const double gamma_per_m = 2.0 * Pi / pitch_m;
+    const double outer = std::fabs(std::cos(gamma_per_m * (y_m + pitch_m / 8.0)));
+    const double third = std::fabs(std::sin(2.0 * gamma_per_m * x_m)); // against both slopes of x
+    return std::max(outer, third);
+}
+
+Result<PlatenReach> findReach(devices::Device& device, const PlatenBoard& board,
+                              const ProcedureObserver& observer, bool& wasHomed) {
     const std::string homed[] = {"homed"};
     auto state = device.readSignals(homed);
     wasHomed = state && state->front() > 0.5;
@@ -127,13 +145,14 @@ Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
     if (!pose) {
         return failure(pose.error());
     }
+    PlatenReach reach;
+    reach.pose = {(*pose)[0], (*pose)[1], (*pose)[2]};
     const std::array<double, 2> window_m = {board.windowX_m, board.windowY_m};
-    std::array<double, 2> low_m{}, high_m{};
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        low_m[axis] = std::max((*pose)[axis] - WindowShare * window_m[axis], -Travel_m);
-        high_m[axis] = std::min((*pose)[axis] + WindowShare * window_m[axis], Travel_m);
+        reach.low_m[axis] = std::max((*pose)[axis] - WindowShare * window_m[axis], -Travel_m);
+        reach.high_m[axis] = std::min((*pose)[axis] + WindowShare * window_m[axis], Travel_m);
     }
-    return roomWithin({(*pose)[0], (*pose)[1], (*pose)[2]}, low_m, high_m, board.geometry.matrix.pitch_m);
+    return reach;
 }
 
 } // namespace halbench::app

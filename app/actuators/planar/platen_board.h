@@ -38,13 +38,25 @@ struct PlatenRoom {
     double high(std::size_t axis) const { return lines[axis].back(); }
 };
 
-/// The lines within these limits of x and y. Errors: Refused (less than a pitch between the outer ones).
+/// The lines within these limits of x and y; of an axis there may be none.
+PlatenRoom linesWithin(const models::PlanarPose& start, const std::array<double, 2>& low_m,
+                       const std::array<double, 2>& high_m, double pitch_m);
+
+/// The same, for motions over a pitch. Errors: Refused (less than a pitch between the outer lines).
 Result<PlatenRoom> roomWithin(const models::PlanarPose& start, const std::array<double, 2>& low_m,
                               const std::array<double, 2>& high_m, double pitch_m);
 
-/// The place of the platen and the travel around it; homes it when the board is not homed. Errors: Refused,
-/// of the device.
-Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
-                            const ProcedureObserver& observer, bool& wasHomed);
+/// How well the chips show the rotation without a calibration, 0 to 1: 1 on a line.
+double rotationSight(double x_m, double y_m, double pitch_m);
+
+/// Where a platen stands and may move: its windows, and the travel of the machine.
+struct PlatenReach {
+    models::PlanarPose pose;
+    std::array<double, 2> low_m{}, high_m{}; ///< of x and y
+};
+
+/// Homes the platen when the board is not homed. Errors: Refused, of the device.
+Result<PlatenReach> findReach(devices::Device& device, const PlatenBoard& board,
+                              const ProcedureObserver& observer, bool& wasHomed);
 
 } // namespace halbench::app

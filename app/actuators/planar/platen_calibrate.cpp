@@ -196,21 +196,31 @@ Result<void> measure(devices::Device& device, const CalibrateConfig& config,
     if (!board) {
         return failure(board.error());
     }
-    bool wasHomed = true;
-    const auto room = findStraightRoom(device, *board, observer, wasHomed);
-    if (!room) {
-        return failure(room.error());
-    }
     result.residualBefore_rad = std::numeric_limits<double>::quiet_NaN(); // of a motor's angle
     result.residualAfter_rad = result.residualBefore_rad;
+    bool wasHomed = true;
     std::vector<ChipSample> samples;
     PlatenBoard compensated = *board;
     if (isChosen(config, Calibration::Stray)) {
+        const auto gains = softenLaw(device);
+        if (!gains) {
+            return failure(gains.error());
+        }
+        if (auto shown = showRotation(device, *board, observer, wasHomed); !shown) {
+            return shown;
+        }
         if (auto pulsed = pulse(device, observer, result, compensated, samples); !pulsed) {
             return pulsed;
         }
+        if (auto stiff = device.writeParameters(*gains); !stiff) {
+            return stiff;
+        }
     }
-    const auto motion = recordMotion(device, *board, calibrationLegs(*room), observer);
+    const auto room = findRoom(device, *board, observer, wasHomed);
+    if (!room) {
+        return failure(room.error());
+    }
+    const auto motion = recordMotion(device, *board, *room, calibrationLegs, observer);
     if (!motion) {
         return failure(motion.error());
     }

@@ -66,11 +66,11 @@ Result<AxesIdentifyResult> measure(devices::Device& device, const IdentifyConfig
         return failure(board.error());
     }
     bool wasHomed = true;
-    const auto room = findStraightRoom(device, *board, observer, wasHomed);
+    const auto room = findRoom(device, *board, observer, wasHomed);
     if (!room) {
         return failure(room.error());
     }
-    auto motion = recordMotion(device, *board, identificationLegs(*room), observer);
+    auto motion = recordMotion(device, *board, *room, identificationLegs, observer);
     if (!motion) {
         return failure(motion.error());
     }

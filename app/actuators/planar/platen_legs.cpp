@@ -44,12 +44,23 @@ AxisWave chirp(double amplitude, double from_Hz, double to_Hz, double duration_s
     return wave;
 }
 
-MotionLeg travelLeg(std::size_t axis, double distance, double speed, const char* text) {
+MotionLeg legOf(const std::array<AxisWave, 3>& waves, const char* text) {
+    constexpr double Rest_s = 0.05;
     MotionLeg leg;
-    leg.waves[axis] = travel(distance, speed);
-    leg.duration_s = std::ceil(1e2 * (travelTime_s(leg.waves[axis], axis) + 0.05)) * 1e-2;
+    leg.waves = waves;
+    for (std::size_t axis = 0; axis < waves.size(); ++axis) {
+        const double time_s =
+            waves[axis].shape == AxisWave::Shape::Travel ? travelTime_s(waves[axis], axis) : 0.0;
+        leg.duration_s = std::max(leg.duration_s, std::ceil(1e2 * (time_s + Rest_s)) * 1e-2);
+    }
     leg.text = text;
     return leg;
+}
+
+MotionLeg travelLeg(std::size_t axis, double distance, double speed, const char* text) {
+    std::array<AxisWave, 3> waves;
+    waves[axis] = travel(distance, speed);
+    return legOf(waves, text);
 }
 
 void shakeOthers(MotionLeg& leg, std::size_t axis) {
@@ -101,6 +112,9 @@ void goBack(Itinerary& itinerary, const PlatenRoom& room) {
     constexpr double Farthest_rad = 0.5 * TravelAngle_rad;
     const double angle_rad = std::clamp(room.start.angle_rad, -Farthest_rad, Farthest_rad);
     itinerary.goTo(2, angle_rad, Speed_rad_s, "goes back", false);
+    // As it came: off the lines for the shortest way only.
+    itinerary.goTo(0, nearest(room.lines[0], room.start.x_m), Speed_m_s, "goes back", false);
+    itinerary.goTo(1, nearest(room.lines[1], room.start.y_m), Speed_m_s, "goes back", false);
     itinerary.goTo(0, room.start.x_m, Speed_m_s, "goes back", false);
     itinerary.goTo(1, room.start.y_m, Speed_m_s, "goes back", false);
 }
@@ -141,9 +155,20 @@ double durationOf(const std::vector<MotionLeg>& legs) {
     return whole_s;
 }
 
-std::vector<MotionLeg> straighteningLegs(const PlatenRoom& room) {
-    constexpr double Speed_rad_s = 0.05;
+MotionLeg returnLeg(const models::PlanarPose& from, const models::PlanarPose& to) {
+    constexpr double Speed_m_s = 0.05, Speed_rad_s = 0.1;
+    return legOf({travel(to.x_m - from.x_m, Speed_m_s), travel(to.y_m - from.y_m, Speed_m_s),
+                  travel(to.angle_rad - from.angle_rad, Speed_rad_s)},
+                 "goes back");
+}
+
+std::vector<MotionLeg> centringLegs(const PlatenRoom& room) {
+    constexpr double Speed_m_s = 0.1, Speed_rad_s = 0.05;
     Itinerary itinerary(room.start);
+    goToLines(itinerary, room);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        itinerary.goTo(axis, nearest(room.lines[axis], 0.0), Speed_m_s, "goes to the middle", false);
+    }
     itinerary.goTo(2, 0.0, Speed_rad_s, "turns straight", false);
     return std::move(itinerary).legs();
 }

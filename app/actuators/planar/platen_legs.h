@@ -35,8 +35,13 @@ std::vector<MotionLeg> identificationLegs(const PlatenRoom& room);
 /// Slow travels over the room on lines of y and of x, with the platen turned a little either way.
 std::vector<MotionLeg> calibrationLegs(const PlatenRoom& room);
 
-/// Turns the platen to zero where it stands.
-std::vector<MotionLeg> straighteningLegs(const PlatenRoom& room);
+/// To the lines nearest to the middle, over the nearest ones, and there turned to zero: off the lines the
+/// rotation that chips show without calibration can be wrong by more than there is between the end stops.
+/// Every axis has a line.
+std::vector<MotionLeg> centringLegs(const PlatenRoom& room);
+
+/// Straight from one pose to another near by, all axes at once.
+MotionLeg returnLeg(const models::PlanarPose& from, const models::PlanarPose& to);
 
 double durationOf(const std::vector<MotionLeg>& legs);
 

@@ -120,7 +120,18 @@ Result<void> prepare(devices::Device& device) {
     return device.writeParameters(values);
 }
 
-Result<void> follow(devices::Device& device, const std::vector<MotionLeg>& legs,
+/// Where the armed platen is held, without the noise of its position.
+Result<models::PlanarPose> heldPose(devices::Device& device) {
+    std::vector<std::string> names;
+    for (const char* axis : AxisNames) {
+        names.push_back(fmt::format("reference.{}", axis));
+    }
+    const auto held = device.readSignals(names);
+    return held ? Result<models::PlanarPose>(models::PlanarPose{(*held)[0], (*held)[1], (*held)[2]})
+                : failure(held.error());
+}
+
+Result<void> follow(devices::Device& device, PlatenRoom room, LegPlan plan,
                     const ProcedureObserver& observer) {
     if (auto done = switchTo(device, Position); !done) {
         return done;
@@ -134,6 +145,12 @@ Result<void> follow(devices::Device& device, const std::vector<MotionLeg>& legs,
     if (auto entered = enterState(observer, ProcedureState::Record); !entered) {
         return entered;
     }
+    const auto held = heldPose(device);
+    if (!held) {
+        return failure(held.error());
+    }
+    room.start = *held;
+    const std::vector<MotionLeg> legs = plan(room);
     const double whole_s = durationOf(legs);
     double done_s = 0.0;
     for (const MotionLeg& leg : legs) {
@@ -151,6 +168,27 @@ Result<void> follow(devices::Device& device, const std::vector<MotionLeg>& legs,
         return rested;
     }
     return device.disarm();
+}
+
+/// Until the board has brought the platen to rest and no coil carries current: from then on it glides. Rows
+/// without current follow, which the fit of the pulses needs.
+Result<void> awaitBraked(devices::Device& device, const ProcedureObserver& observer) {
+    constexpr double Longest_s = 0.35; // the board brakes for 0.3 s at most
+    constexpr double Poll_s = 0.01;
+    const std::vector<std::string> names = coilNames("current.coil");
+    for (double waited_s = 0.0; waited_s < Longest_s; waited_s += Poll_s) {
+        if (auto waited = waitObserved(device, observer, Poll_s); !waited) {
+            return waited;
+        }
+        const auto current_A = device.readSignals(names);
+        if (!current_A) {
+            return failure(current_A.error());
+        }
+        if (std::all_of(current_A->begin(), current_A->end(), [](double each) { return each == 0.0; })) {
+            break;
+        }
+    }
+    return waitObserved(device, observer, Poll_s);
 }
 
 Result<void> pulse(devices::Device& device, const ProcedureObserver& observer, int coil, double current_A) {
@@ -182,8 +220,7 @@ Result<void> pulse(devices::Device& device, const ProcedureObserver& observer, i
     if (auto disarmed = device.disarm(); !disarmed) {
         return disarmed;
     }
-    constexpr double Braking_s = 0.35; // 0.3 s at most
-    return waitObserved(device, observer, Braking_s);
+    return awaitBraked(device, observer);
 }
 
 /// Position of the platen, and the window of each axis.
@@ -208,8 +245,52 @@ Result<PlatenPlace> placeOf(devices::Device& device) {
     return place;
 }
 
-/// A platen without current glides wherever the cable or a tilt pulls it. A safety stop away from where the
-/// motion began says where that was.
+/// Without current the platen glides between the pulses, and turns most of all.
+bool isOff(const PlatenPlace& here, const PlatenPlace& start) {
+    constexpr std::array<double, 3> Most = {3e-3, 3e-3, 4e-3};
+    for (std::size_t i = 0; i < Most.size(); ++i) {
+        if (std::fabs(here.position[i] - start.position[i]) > Most[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Holds the platen for the way back to where the pulses began, then lets it go at rest.
+Result<void> goBack(devices::Device& device, const ProcedureObserver& observer, const PlatenPlace& start) {
+    constexpr double Caught_s = 0.2;
+    if (auto done = switchTo(device, Position); !done) {
+        return done;
+    }
+    if (auto armed = device.arm(); !armed) {
+        return armed;
+    }
+    if (auto caught = waitObserved(device, observer, Caught_s); !caught) {
+        return caught;
+    }
+    const auto held = heldPose(device);
+    if (!held) {
+        return failure(held.error());
+    }
+    const auto& [x_m, y_m, angle_rad] = start.position;
+    const MotionLeg leg = returnLeg(*held, {x_m, y_m, angle_rad});
+    if (auto written = device.writeParameters(legValues(leg)); !written) {
+        return written;
+    }
+    if (auto moved = waitObserved(device, observer, leg.duration_s + Caught_s); !moved) {
+        return moved;
+    }
+    if (auto disarmed = device.disarm(); !disarmed) {
+        return disarmed;
+    }
+    if (auto braked = awaitBraked(device, observer); !braked) {
+        return braked;
+    }
+    return switchTo(device, CoilCurrents);
+}
+
+/// A platen without current glides wherever the cable or a tilt pulls it. A stop far from where the motion
+/// began says how far: that is a likely cause, whichever limit stopped it.
 Error withDrift(Error error, devices::Device& device, const PlatenPlace& start) {
     constexpr double Far_ratio =
         0.5; // of its window; the legs themselves stay within the room of the windows
@@ -227,11 +308,8 @@ Error withDrift(Error error, devices::Device& device, const PlatenPlace& start) 
         return error;
     }
     const bool turns = std::string_view(AxisNames[farthest]) == "phi";
-    error.message =
-        fmt::format("the platen left its window: {:.1f} {} from where it began in {}, the window is "
-                    "{:.1f} {}",
-                    1e3 * away[farthest], turns ? "mrad" : "mm", AxisNames[farthest],
-                    1e3 * start.window[farthest], turns ? "mrad" : "mm");
+    error.message = fmt::format("{}; axis {} was {:.1f} {} from where it began", error.message,
+                                AxisNames[farthest], 1e3 * away[farthest], turns ? "mrad" : "mm");
     error.hint =
         "Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the "
         "platen to the middle, and start again.";
@@ -273,9 +351,10 @@ Result<PlatenMotion> recorded(devices::Device& device, const PlatenBoard& board,
 
 } // namespace
 
-Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& board,
-                                  const std::vector<MotionLeg>& legs, const ProcedureObserver& observer) {
-    const auto heat = admitHeat(device, observer, MeanSquare_A2, durationOf(legs), Pause_degC, Refuse_degC);
+Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& board, const PlatenRoom& room,
+                                  LegPlan plan, const ProcedureObserver& observer) {
+    const auto heat =
+        admitHeat(device, observer, MeanSquare_A2, durationOf(plan(room)), Pause_degC, Refuse_degC);
     if (!heat) {
         return failure(heat.error());
     }
@@ -285,21 +364,86 @@ Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& bo
     if (auto entered = enterState(observer, ProcedureState::Excite); !entered) {
         return failure(entered.error());
     }
-    return recorded(device, board, observer, [&](PlatenPlace&) { return follow(device, legs, observer); });
+    return recorded(device, board, observer,
+                    [&](PlatenPlace&) { return follow(device, room, plan, observer); });
 }
 
-Result<PlatenRoom> findStraightRoom(devices::Device& device, const PlatenBoard& board,
-                                    const ProcedureObserver& observer, bool& wasHomed) {
-    constexpr double Farthest_rad = 0.5 * TravelAngle_rad;
-    auto room = findRoom(device, board, observer, wasHomed);
-    if (!room || std::fabs(room->start.angle_rad) <= Farthest_rad) {
-        return room;
+namespace {
+
+bool showsRotation(const models::PlanarPose& pose, const PlatenBoard& board) {
+    constexpr double LeastSight = 0.6;
+    return rotationSight(pose.x_m, pose.y_m, board.geometry.matrix.pitch_m) >= LeastSight;
+}
+
+/// Nothing where an axis has no line.
+Result<void> centre(devices::Device& device, const PlatenBoard& board, const ProcedureObserver& observer,
+                    const PlatenReach& reach) {
+    const PlatenRoom lines =
+        linesWithin(reach.pose, reach.low_m, reach.high_m, board.geometry.matrix.pitch_m);
+    if (lines.lines[0].empty() || lines.lines[1].empty()) {
+        return {};
     }
     ProcedureObserver quiet = observer;
     quiet.onState = nullptr; // part of the preparation
-    const auto turned = recordMotion(device, board, straighteningLegs(*room), quiet);
+    const auto centred = recordMotion(device, board, lines, centringLegs, quiet);
+    return centred ? Result<void>() : failure(centred.error());
+}
+
+} // namespace
+
+Result<std::vector<ParameterValue>> softenLaw(devices::Device& device) {
+    constexpr double Bandwidth_ratio = 0.25;
+    const std::array<std::pair<const char*, double>, 3> gains = {
+        {{"kp", Bandwidth_ratio * Bandwidth_ratio}, {"ki", 0.0}, {"kd", Bandwidth_ratio}}};
+    std::vector<std::string> names;
+    for (const char* axis : AxisNames) {
+        for (const auto& [gain, share] : gains) {
+            names.push_back(fmt::format("gain.{}.{}", axis, gain));
+        }
+    }
+    const auto values = device.readParameters(names);
+    if (!values) {
+        return failure(values.error());
+    }
+    std::vector<ParameterValue> before, soft;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        before.push_back({names[i], (*values)[i]});
+        soft.push_back({names[i], gains[i % gains.size()].second * (*values)[i]});
+    }
+    const auto written = device.writeParameters(soft);
+    return written ? Result<std::vector<ParameterValue>>(std::move(before)) : failure(written.error());
+}
+
+Result<void> showRotation(devices::Device& device, const PlatenBoard& board,
+                          const ProcedureObserver& observer, bool& wasHomed) {
+    const auto reach = findReach(device, board, observer, wasHomed);
+    if (!reach) {
+        return failure(reach.error());
+    }
+    return showsRotation(reach->pose, board) ? Result<void>() : centre(device, board, observer, *reach);
+}
+
+Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
+                            const ProcedureObserver& observer, bool& wasHomed) {
+    constexpr double Farthest_rad = 0.5 * TravelAngle_rad;
     bool isHomed = true;
-    return turned ? findRoom(device, board, observer, isHomed) : failure(turned.error());
+    auto reach = findReach(device, board, observer, isHomed);
+    wasHomed = wasHomed && isHomed;
+    const auto roomNow = [&] {
+        return reach ? roomWithin(reach->pose, reach->low_m, reach->high_m, board.geometry.matrix.pitch_m)
+                     : Result<PlatenRoom>(failure(reach.error()));
+    };
+    const auto room = roomNow();
+    const bool stays =
+        room && std::fabs(room->start.angle_rad) <= Farthest_rad && showsRotation(room->start, board);
+    if (stays || !reach) {
+        return room;
+    }
+    if (auto centred = centre(device, board, observer, *reach); !centred) {
+        return failure(centred.error());
+    }
+    reach = findReach(device, board, observer, isHomed);
+    return roomNow();
 }
 
 Result<PlatenMotion> recordPulses(devices::Device& device, const PlatenBoard& board,
@@ -312,13 +456,19 @@ Result<PlatenMotion> recordPulses(devices::Device& device, const PlatenBoard& bo
         if (auto done = switchTo(device, CoilCurrents); !done) {
             return done;
         }
+        const PlatenPlace first = start;
         for (int coil = 1; coil <= models::CoilCount; ++coil) {
-            const auto here =
-                placeOf(device); // it glides between the pulses, and the window counts from here
+            const auto here = placeOf(device);
             if (!here) {
                 return failure(here.error());
             }
-            start = *here;
+            start = *here; // the window counts from here
+            if (isOff(*here, first)) {
+                if (auto back = goBack(device, observer, first); !back) {
+                    return back;
+                }
+                start = first;
+            }
             if (auto pulsed = pulse(device, observer, coil, current_A); !pulsed) {
                 return pulsed;
             }

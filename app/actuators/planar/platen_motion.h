@@ -17,16 +17,31 @@ struct PlatenMotion {
     bool wasHomed = true; ///< before it began
 };
 
-/// As findRoom(), of a platen that stands straight enough: turned so far that it may lean on its end stop, it
-/// is turned back first, since the motion would leave the window or the loop wind up against the stop.
-/// Errors: of findRoom() and recordMotion().
-Result<PlatenRoom> findStraightRoom(devices::Device& device, const PlatenBoard& board,
-                                    const ProcedureObserver& observer, bool& wasHomed);
+/// Legs from where the platen stands within its room.
+using LegPlan = std::vector<MotionLeg> (*)(const PlatenRoom& room);
 
 /// Homes when needed, arms in position mode, follows the legs and disarms; the caller holds the RestoreGuard.
-/// Errors: Refused (no zero, coils too warm), SafetyStop, of the device, of the abort.
-Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& board,
-                                  const std::vector<MotionLeg>& legs, const ProcedureObserver& observer);
+/// The legs begin where the platen is held once it is armed: without current it has glided on since `room`
+/// was found. Errors: Refused (no zero, coils too warm), SafetyStop, of the device, of the abort.
+Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& board, const PlatenRoom& room,
+                                  LegPlan plan, const ProcedureObserver& observer);
+
+/// The place of the platen and the travel around it; homes it when the board is not homed. A platen that has
+/// no room where it stands, leans on its end stop in angle, or stands where chips without calibration do not
+/// show its rotation is brought to the middle first. Errors: Refused (no room there either), of
+/// recordMotion().
+Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
+                            const ProcedureObserver& observer, bool& wasHomed);
+
+/// A quarter of the bandwidth of every axis and no integral, until the values that it gives back are written
+/// again: as stiff as usual, the law is unstable where the field of the coils reaches the chips and is not
+/// compensated yet. Errors: of the device.
+Result<std::vector<ParameterValue>> softenLaw(devices::Device& device);
+
+/// Brings a platen to the middle whose rotation the chips do not show where it stands: the board could not
+/// brake it between the pulses. Errors: of findReach() and recordMotion().
+Result<void> showRotation(devices::Device& device, const PlatenBoard& board,
+                          const ProcedureObserver& observer, bool& wasHomed);
 
 /// Short pulses of one coil after the other in both directions, with the platen at rest before each: the
 /// field of the currents appears at the chips before anything can move. Errors: as above.

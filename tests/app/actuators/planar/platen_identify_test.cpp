@@ -121,7 +121,7 @@ TEST(PlatenIdentify, refusesAPlatenWithoutRoomBeforeItMoves) {
     const auto result = actuatorOf("planar").identify.run(*device, {}, {});
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::Refused);
-    EXPECT_NE(result.error().message.find("no room for a pitch along x"), std::string::npos)
+    EXPECT_NE(result.error().message.find("no room for a pitch of 50.8 mm along x"), std::string::npos)
         << result.error().message;
     EXPECT_FALSE(device->state().isArmed);
 }
