@@ -17,6 +17,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -122,8 +123,23 @@ Result<AxisWork> workOf(CommandContext& context, const AxisModelFile& model, con
     return work;
 }
 
-Result<TuneAxesResult> judgedGains(const std::string& path, const AxisModelFile& model,
-                                   const AxisWork& work) {
+/// Gains that are to run on a device are for its sampling period, or the user said a word.
+Result<void> admitGains(const TuneOptions& options, const AxisLaws& laws, const AxisWork& work) {
+    const bool isAsked = !options.applyDevice.empty() && !options.takesForeignModel;
+    for (std::size_t i = 0; i < work.axes.size() && isAsked; ++i) {
+        const auto same = checkPeriodOfGains(laws.timings[i], work.conditions[i].timing);
+        if (!same) {
+            return failure(same.error().code,
+                           fmt::format("--apply: axis {}: {}", work.axes[i], same.error().message),
+                           same.error().hint + ", or repeat the command with --foreign-model");
+        }
+    }
+    return {};
+}
+
+/// `admit`: what the gains need besides, before they are judged.
+Result<TuneAxesResult> judgedGains(const std::string& path, const AxisModelFile& model, const AxisWork& work,
+                                   const std::function<Result<void>(const AxisLaws&)>& admit) {
     const auto file = readAxisGains(path);
     const auto& identified = model.header.device;
     if (file && file->device && identified && file->device->model != identified->model) {
@@ -135,6 +151,9 @@ Result<TuneAxesResult> judgedGains(const std::string& path, const AxisModelFile&
     const auto laws = file ? lawsOf(*file, work.axes) : failure(file.error());
     if (!laws) {
         return failure(laws.error());
+    }
+    if (const auto admitted = admit(*laws); !admitted) {
+        return failure(admitted.error());
     }
     auto judged = judgeAxes(model.model, work.conditions, laws->laws, laws->methods, work.config);
     for (std::size_t i = 0; judged && i < judged->axes.size(); ++i) {
@@ -273,8 +292,9 @@ CommandResult tuneAxesOf(CommandContext& context, const TuneOptions& options, co
         }
         device = *std::move(opened);
     }
+    const auto admit = [&](const AxisLaws& laws) { return admitGains(options, laws, *work); };
     auto result = options.gainsFile.empty() ? tuneAxes(model.model, work->conditions, work->config)
-                                            : judgedGains(options.gainsFile, model, *work);
+                                            : judgedGains(options.gainsFile, model, *work, admit);
     if (!result) {
         return failure(result.error());
     }
@@ -289,7 +309,7 @@ CommandResult tuneAxesOf(CommandContext& context, const TuneOptions& options, co
         isKept = applied->isKept;
         assessment = appliedAxesBody(*applied);
         addVerification(result->quality, applied->quality);
-        text += appliedAxesText(*applied);
+        text += appliedAxesText(*applied, result->quality.verdict);
     }
     JsonValue document = axisGainsDocument(work->header, *result);
     if (assessment) {
@@ -354,7 +374,8 @@ CommandResult analyseAxesOf(CommandContext& context, const AnalyseOptions& optio
     if (!work) {
         return failure(work.error());
     }
-    auto result = judgedGains(options.gainsFile, model, *work);
+    const auto admitAll = [](const AxisLaws&) { return Result<void>(); };
+    auto result = judgedGains(options.gainsFile, model, *work, admitAll);
     if (!result) {
         return failure(result.error());
     }

@@ -95,14 +95,15 @@ std::string axisGainsText(const TuneAxesResult& result) {
     return textOf(result, true);
 }
 
-std::string appliedAxesText(const ApplyAxesResult& result) {
+std::string appliedAxesText(const ApplyAxesResult& result, Verdict verdict) {
+    const DataQuality quality{verdict, result.quality.findings};
     std::string text;
     for (const AxisVerification& verified : result.axes) {
         text += verifiedLines(verified);
     }
     return text + fmt::format("{}\n{}",
                               result.isKept ? "applied and verified" : "not kept, old gains restored",
-                              findingLines(result.quality));
+                              findingLines(quality));
 }
 
 std::string axisAnalysisText(const TuneAxesResult& result) {

@@ -12,7 +12,7 @@ std::string axisGainsText(const TuneAxesResult& result);
 /// The same of an analysis, without the gains.
 std::string axisAnalysisText(const TuneAxesResult& result);
 
-/// How the verification of each axis agreed with its prediction.
-std::string appliedAxesText(const ApplyAxesResult& result);
+/// How the verification of each axis agreed with its prediction, and the verdict of the whole command.
+std::string appliedAxesText(const ApplyAxesResult& result, Verdict verdict);
 
 } // namespace halbench::app

@@ -177,9 +177,10 @@ Result<Proof> proveOnDevice(CommandContext& context, const TuneOptions& options,
     const ApplyResult& found = applied->result;
     addVerification(result.quality, found.quality);
     const char* const said = found.isKept ? "applied and verified" : "not kept, old gains restored";
-    return Proof{found.isKept, applied->body,
-                 applied->steps + agreementLine(found) +
-                     fmt::format("{}\n{}", said, findingLines(found.quality))};
+    return Proof{
+        found.isKept, applied->body,
+        applied->steps + agreementLine(found) +
+            fmt::format("{}\n{}", said, findingLines({result.quality.verdict, found.quality.findings}))};
 }
 
 /// Designs the loop of a motor: of `device`, identified now, or of the model in a file.

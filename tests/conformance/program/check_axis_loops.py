@@ -113,6 +113,17 @@ class AxisLoops(ProgramCase):
                 self.refuse(2, words, *arguments)
         self.assertRegex(self.run_program("tune", "late.json", "--apply", "sim:planar").err, "axis x: .*delay")
 
+    def test_gains_of_another_sampling_period_are_not_written(self):
+        gains = self.accept("tune", "model.json", "--out", "gains.json", "--json").json()
+        for axis in gains["axes"][1:]:
+            axis["sample_period_s"] = 0.002
+        self.write("slower.json", json.dumps(gains))
+        tune = ("tune", "model.json", "--gains", "slower.json", "--apply", "sim:planar")
+        self.assertRegex(self.run_program(*tune).err, "axis y: the gains are for a sampling period of 0.002 s")
+        forced = self.run_program(*tune, "--foreign-model")       # a word of the user: doubtful, in words as in JSON
+        self.assertIn("data quality: doubtful", forced.out)
+        self.assertNotIn("data quality: good", forced.out)
+
     def test_a_move_is_predicted_by_the_model(self):
         moved = self.accept("move", "sim:planar?imperfections=off", "--axis", "x", "--reference", "step,amplitude_um=1000",
                             "--duration", "3", "--model", "model.json", "--json").json()["axes"][0]

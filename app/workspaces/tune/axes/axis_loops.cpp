@@ -3,6 +3,7 @@
 #include "app/procedures/base/axis_choice.h"
 #include "app/procedures/tune/position_law_parameters.h"
 #include "app/tuning/axis_conditions.h"
+#include "app/tuning/gains_judgement.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -188,6 +189,21 @@ Result<std::map<std::string, MeasuredPlant>> AxisLoops::plantsOf(const AxesFrequ
     return plants;
 }
 
+/// Gains of another sampling period are another law.
+Result<void> AxisLoops::checkPeriods(const AxisGainsFile& file) const {
+    for (std::size_t i = 0; i < file.axes.size(); ++i) {
+        const auto conditions = m_conditions.find(file.axes[i]);
+        const auto same = conditions == m_conditions.end()
+                              ? Result<void>()
+                              : checkPeriodOfGains(file.gains[i].timing, conditions->second.timing);
+        if (!same) {
+            return failure(same.error().code, fmt::format("axis {}: {}", file.axes[i], same.error().message),
+                           same.error().hint);
+        }
+    }
+    return {};
+}
+
 Result<std::vector<std::string>> AxisLoops::takeGains(const AxisGainsFile& file) {
     const auto& identified = m_model->header.device;
     if (file.device && identified && file.device->model != identified->model) {
@@ -195,6 +211,9 @@ Result<std::vector<std::string>> AxisLoops::takeGains(const AxisGainsFile& file)
                        fmt::format("the gains are for a device '{}', the model is of a '{}'",
                                    file.device->model, identified->model),
                        "open gains that were found with a model of this kind of device");
+    }
+    if (const auto fits = checkPeriods(file); !fits) {
+        return failure(fits.error());
     }
     std::vector<std::string> missing;
     for (const std::string& axis : axes()) {

@@ -79,7 +79,7 @@ public:
     std::optional<MeasuredLoop> measured(const std::string& axis) const;
 
     /// Proposes the gains of a file for the axes that it has; gives those of the model that it has not.
-    /// Errors: InvalidInput (of another kind of device, none of the axes).
+    /// Errors: InvalidInput (of another kind of device, none of the axes), Refused (another sampling period).
     Result<std::vector<std::string>> takeGains(const AxisGainsFile& file);
 
     /// The answers of these axes as one result: the worst verdict counts. Errors: of the first axis without
@@ -87,6 +87,8 @@ public:
     Result<TuneAxesResult> result(const std::vector<std::string>& axes) const;
 
 private:
+    Result<void> checkPeriods(const AxisGainsFile& file) const;
+
     std::optional<AxisModelFile> m_model;
     std::map<std::string, LoopConditions> m_conditions;
     std::map<std::string, LoopLaw> m_present;

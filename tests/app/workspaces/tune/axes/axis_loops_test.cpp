@@ -132,6 +132,14 @@ TEST(AxisLoops, gainsOfAnotherActuatorOrOtherAxesAreRefused) {
     AxisGainsFile elsewhere = fileOf(loops, {"x"});
     elsewhere.axes = {"z"};
     EXPECT_FALSE(loops.takeGains(elsewhere));
+    AxisGainsFile slower = fileOf(loops, {"x"});
+    slower.gains.front().timing.period_s = 2e-3;
+    const auto refused = loops.takeGains(slower);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::Refused);
+    EXPECT_NE(refused.error().message.find("axis x: the gains are for a sampling period of 0.002 s"),
+              std::string::npos)
+        << refused.error().message;
     EXPECT_EQ(loops.choice("x").method, "recommended");
 }
 
