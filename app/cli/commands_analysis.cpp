@@ -150,20 +150,6 @@ Result<AnalysisInput> inputOfSettings(CommandContext& context, const AnalysisOpt
     return AnalysisInput{*values, {}, headerFor(context, std::string(options.analysis->schema))};
 }
 
-/// What a recording notes of its device; nothing when it notes none of it.
-std::optional<std::vector<ParameterValue>> notedValues(const Analysis& analysis,
-                                                       const devices::RecordingMeta& meta) {
-    std::vector<ParameterValue> values;
-    const std::vector<std::string> names =
-        analysis.device ? analysis.device->parameters : std::vector<std::string>();
-    for (const devices::RecordingMeta::ParameterNote& note : meta.parameters) {
-        if (std::find(names.begin(), names.end(), note.name) != names.end()) {
-            values.push_back({note.name, note.value});
-        }
-    }
-    return values.empty() ? std::nullopt : std::optional(values);
-}
-
 Result<AnalysisInput> inputOfRecording(CommandContext& context, const AnalysisOptions& options,
                                        const std::string& path) {
     const Result<AnalysisValues> values =

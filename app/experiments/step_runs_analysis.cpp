@@ -70,6 +70,8 @@ Result<StepOutcome> runAnalysisStep(StepRun& run, const ExperimentStep& step, co
             return failure(own.error());
         }
         values.device = *own;
+    } else if (file) {
+        values.device = notedValues(analysis, file->meta);
     }
     const std::string named = values.text("calibration");
     if (const auto* calibration = run.find<CalibrateResult>(named)) {

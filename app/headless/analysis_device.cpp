@@ -31,6 +31,19 @@ Result<std::vector<ParameterValue>> deviceValuesFor(const Analysis& analysis, de
     return values;
 }
 
+std::optional<std::vector<ParameterValue>> notedValues(const Analysis& analysis,
+                                                       const devices::RecordingMeta& meta) {
+    std::vector<ParameterValue> values;
+    const std::vector<std::string> names =
+        analysis.device ? analysis.device->parameters : std::vector<std::string>();
+    for (const devices::RecordingMeta::ParameterNote& note : meta.parameters) {
+        if (std::find(names.begin(), names.end(), note.name) != names.end()) {
+            values.push_back({note.name, note.value});
+        }
+    }
+    return values.empty() ? std::nullopt : std::optional(values);
+}
+
 std::vector<std::string> deviceSignalsFor(const Analysis& analysis, const AnalysisValues& values,
                                           const devices::Catalogue& catalogue) {
     std::vector<std::string> signals = analysis.device->signals(values);

@@ -202,6 +202,7 @@ std::vector<ParameterValue> sensingValues(const SensingBoard& board,
         values.push_back({fmt::format("sensor.alpha_{}", i), angles.alpha_rad});
         values.push_back({fmt::format("sensor.beta_{}", i), angles.beta_rad});
         values.push_back({fmt::format("sensor.gamma_{}", i), angles.gamma_rad});
+        values.push_back({fmt::format("sensor.radius_{}", i), sensor.pose.position_m.norm()});
         const Eigen::Matrix3d nominal =
             models::sensorPose(models::placementRotation(angles, board.frames), 1.0).axes;
         const auto at = static_cast<Eigen::Index>(3 * i);
@@ -215,6 +216,7 @@ std::vector<ParameterValue> sensingValues(const SensingBoard& board,
             values.push_back({fmt::format("sensor.{}_{}", Lists[list], c + 1), lists[list][c]});
         }
     }
+    values.push_back({"sensor.frames", static_cast<double>(board.frames)});
     values.push_back({"rotor.strength", calibration.field.strength_T});
     for (std::size_t k = 0; k < Shapes.size(); ++k) {
         values.push_back(

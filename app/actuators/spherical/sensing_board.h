@@ -38,8 +38,9 @@ Result<void> checkSensorPlaces(devices::Device& device, std::span<const Paramete
 /// Names of the nine field signals, R, Theta, Phi of sensor 0, 1, 2.
 std::vector<std::string> fieldSignals();
 
-/// The values that make the board believe `calibration`: placement angles that point to its places, frames as
-/// mounting errors beside them. All but the coil's field and the drift.
+/// The values that make a board believe `calibration`, whatever it believed before: placement angles and radii
+/// that lead to its places, in the frames of `board`, and the rest of the frames as mounting errors beside
+/// them. All but the coil's field and the drift.
 std::vector<ParameterValue> sensingValues(const SensingBoard& board,
                                           const models::SphericalCalibration& calibration);
 std::vector<ParameterValue> coilValues(const models::SphericalCalibration& calibration);

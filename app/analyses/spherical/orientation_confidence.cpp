@@ -14,10 +14,17 @@ namespace {
 constexpr double Unlikely = 0.01;
 constexpr double MicroTesla = 1e6;
 
+/// What a calibration leaves out is as on the device of the readings.
+SensingBoard boardWith(const AnalysisValues& given, const std::vector<ParameterValue>& calibrated) {
+    std::vector<ParameterValue> values = given.device.value_or(std::vector<ParameterValue>());
+    values.insert(values.end(), calibrated.begin(), calibrated.end());
+    return notedSensingBoard(values);
+}
+
 /// The values of a calibration, of a step or a file.
 Result<SensingBoard> calibratedBoard(const AnalysisValues& given, const std::string& path) {
     if (given.calibrated) {
-        return notedSensingBoard(*given.calibrated);
+        return boardWith(given, *given.calibrated);
     }
     const Result<std::string> text = readFile(path);
     if (!text) {
@@ -34,7 +41,7 @@ Result<SensingBoard> calibratedBoard(const AnalysisValues& given, const std::str
         return failure(ErrorCode::InvalidInput, path + ": holds no calibration of nine field readings",
                        "make one with halbench calibrate DEVICE hall --out CAL.json");
     }
-    return notedSensingBoard(values);
+    return boardWith(given, values);
 }
 
 /// Terms without amplitude cost time and change nothing.
