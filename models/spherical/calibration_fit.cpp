@@ -28,12 +28,32 @@ struct Oriented {
     std::size_t index;
 };
 
+/// Six degrees of freedom a sample, about: one of 10 million healthy ones lies beyond eight times the median.
+double strangeLimit(std::vector<double> misfit) {
+    constexpr double Strange_ratio = 8.0;
+    const auto middle = misfit.begin() + static_cast<std::ptrdiff_t>(misfit.size() / 2);
+    std::nth_element(misfit.begin(), middle, misfit.end());
+    return Strange_ratio * *middle;
+}
+
+std::vector<std::size_t> strangeSamples(const std::vector<double>& misfit) {
+    const double limit = strangeLimit(misfit);
+    std::vector<std::size_t> strange;
+    for (std::size_t i = 0; i < misfit.size(); ++i) {
+        if (misfit[i] > limit) {
+            strange.push_back(i);
+        }
+    }
+    return strange;
+}
+
 /// Normal equations of the unknowns in units of their plausible size, orientations eliminated.
 struct Reduced {
     Eigen::MatrixXd information;
     Eigen::VectorXd gradient;
     double cost = 0.0;
-    double readings = 0.0; ///< number of used readings
+    double readings = 0.0;      ///< number of used readings
+    std::vector<double> misfit; ///< chi-square of each sample's readings
     /// Orientation of each sample: w = base - slope * step
     std::vector<Eigen::Vector3d> base_rad;
     std::vector<Eigen::Matrix<double, 3, Eigen::Dynamic>> slope;
@@ -128,12 +148,58 @@ public:
             sum.information += prediction.byUnknown.transpose() * weighted;
             sum.information -= cross.transpose() * sum.slope.back();
             sum.gradient += weighted.transpose() * residual_T - cross.transpose() * sum.base_rad.back();
-            sum.cost += residual_T.dot(weight.cwiseProduct(residual_T));
+            sum.misfit.push_back(residual_T.dot(weight.cwiseProduct(residual_T)));
+            sum.cost += sum.misfit.back();
             sum.readings += static_cast<double>((weight.array() > 0.0).count());
         }
         holdGauges(sum);
         holdPlaces(sum, moved);
         return sum;
+    }
+
+    /// Samples whose readings lie far beyond the scatter of the others have a wrong orientation: the nominal
+    /// calibration, which knows no harmonics yet, put them on another branch. Orients them anew by what was
+    /// found so far; how many now fit better.
+    std::size_t reorient(const SphericalCalibration& calibration, const Reduced& reduced) {
+        const std::vector<std::size_t> strange = strangeSamples(reduced.misfit);
+        const double limit = strangeLimit(reduced.misfit);
+        OrientationConfig method;
+        method.method = OrientationMethod::LevenbergMarquardt;
+        method.fit.isStrengthFree = false; // it is fitted already, by all samples
+        method.chiSquareLimit = limit;
+        const auto estimator =
+            OrientationEstimator::make(sensingOf(calibration, m_config.deviation_T), method);
+        const CalibrationModel model(calibration, m_unknowns);
+        std::size_t better = 0;
+        for (const std::size_t i : strange) {
+            Oriented& one = m_samples[i];
+            if (!estimator || one.sample.reference) {
+                continue;
+            }
+            const OrientationEstimate estimate = estimator->estimate(
+                correctedReadings_T(calibration, one.sample.readings_T, one.sample.coilCurrent_A),
+                one.sample.used);
+            const SphericalReadings off_T =
+                one.sample.readings_T - model.at(estimate.rotation, one.sample).readings_T;
+            if (off_T.dot(weights(one.sample).cwiseProduct(off_T)) < 0.5 * reduced.misfit[i]) {
+                one.rotation = estimate.rotation;
+                ++better;
+            }
+        }
+        return better;
+    }
+
+    /// A few wrong orientations would bend what all others agree on. Not done where they are more than a few:
+    /// then it is the model that is wrong.
+    bool leaveOut(const std::vector<std::size_t>& strange) {
+        constexpr std::size_t FewestTimes = 50;
+        if (FewestTimes * strange.size() > m_samples.size()) {
+            return false;
+        }
+        for (auto i = strange.rbegin(); i != strange.rend(); ++i) {
+            m_samples.erase(m_samples.begin() + static_cast<std::ptrdiff_t>(*i));
+        }
+        return true;
     }
 
     void turn(const Reduced& reduced, const Eigen::VectorXd& step) {
@@ -278,6 +344,38 @@ double calibrationGain(const SphericalCalibration& nominal, const CalibrationExc
     return unexplained / (config.deviation_T * config.deviation_T);
 }
 
+namespace {
+
+/// Gauss-Newton from where the fit is to where it stays.
+Result<void> settle(Problem& problem, const CalibrationConfig& config, CalibrationFit& fit,
+                    Eigen::VectorXd& moved, Reduced& reduced) {
+    double size = 1.0;
+    for (int i = 0; size > 1e-7 && i < config.iterations; ++i, ++fit.iterations) {
+        if (config.isStopped && config.isStopped()) {
+            return failure(ErrorCode::Interrupted, "The calibration was stopped.");
+        }
+        const CalibrationExcitation excitation = excitationOf(problem, reduced);
+        if (excitation.weakest_ratio >= Enough_ratio) {
+            return failure(ErrorCode::Refused,
+                           fmt::format("The motion does not determine this value: {}.", excitation.name),
+                           "Record orientations that differ more in tilt and spin, or keep it at its "
+                           "nominal value.");
+        }
+        Eigen::VectorXd step = reduced.information.ldlt().solve(reduced.gradient);
+        // Linear only near by: at most the plausible size at once.
+        step *= std::min(1.0, 1.0 / std::max(1e-12, step.cwiseAbs().maxCoeff()));
+        size = step.cwiseAbs().maxCoeff();
+        problem.turn(reduced, step);
+        const Eigen::VectorXd step_SI = step.cwiseProduct(problem.plausible());
+        fit.calibration = steppedCalibration(fit.calibration, problem.unknowns(), step_SI);
+        moved += step;
+        reduced = problem.reduced(fit.calibration, moved);
+    }
+    return {};
+}
+
+} // namespace
+
 Result<CalibrationFit> calibrate(const SphericalCalibration& nominal,
                                  std::span<const CalibrationSample> samples,
                                  const CalibrationConfig& config) {
@@ -298,26 +396,23 @@ Result<CalibrationFit> calibrate(const SphericalCalibration& nominal,
     fit.calibration = nominal;
     Eigen::VectorXd moved = Eigen::VectorXd::Zero(problem.plausible().size());
     Reduced reduced = problem.reduced(nominal, moved);
-    for (double size = 1.0; size > 1e-7 && fit.iterations < config.iterations; ++fit.iterations) {
-        if (config.isStopped && config.isStopped()) {
-            return failure(ErrorCode::Interrupted, "The calibration was stopped.");
+    constexpr int Rounds = 4;
+    for (int round = 0; round < Rounds; ++round) {
+        if (auto settled = settle(problem, config, fit, moved, reduced); !settled) {
+            return failure(settled.error());
         }
-        const CalibrationExcitation excitation = excitationOf(problem, reduced);
-        if (excitation.weakest_ratio >= Enough_ratio) {
-            return failure(ErrorCode::Refused,
-                           fmt::format("The motion does not determine this value: {}.", excitation.name),
-                           "Record orientations that differ more in tilt and spin, or keep it at its "
-                           "nominal value.");
+        if (problem.reorient(fit.calibration, reduced) == 0) {
+            break;
         }
-        Eigen::VectorXd step = reduced.information.ldlt().solve(reduced.gradient);
-        // Linear only near by: at most the plausible size at once.
-        step *= std::min(1.0, 1.0 / std::max(1e-12, step.cwiseAbs().maxCoeff()));
-        size = step.cwiseAbs().maxCoeff();
-        problem.turn(reduced, step);
-        const Eigen::VectorXd step_SI = step.cwiseProduct(problem.plausible());
-        fit.calibration = steppedCalibration(fit.calibration, problem.unknowns(), step_SI);
-        moved += step;
         reduced = problem.reduced(fit.calibration, moved);
+    }
+    const std::vector<std::size_t> strange = strangeSamples(reduced.misfit);
+    fit.strange = strange.size();
+    if (!strange.empty() && problem.leaveOut(strange)) {
+        reduced = problem.reduced(fit.calibration, moved);
+        if (auto settled = settle(problem, config, fit, moved, reduced); !settled) {
+            return failure(settled.error());
+        }
     }
     const auto unknowns = static_cast<double>(problem.unknowns().size());
     const double orientations =

@@ -37,6 +37,9 @@ struct CalibrationFit {
     std::vector<Eigen::Matrix3d> rotation; ///< of each sample that could be oriented
     std::vector<std::size_t> sample;       ///< which ones these are
     double deviation_T = 0.0;              ///< of a reading, as the data show it
+    /// Samples whose readings still lie far beyond the scatter of the others, each more than eight times
+    /// their median chi-square.
+    std::size_t strange = 0;
     /// What these data cannot tell, one sentence each: the common scale of all gains beside q; a common
     /// rotation of the stator frame when places are fitted without known orientations.
     std::vector<std::string> notes;
@@ -61,7 +64,8 @@ double calibrationGain(const SphericalCalibration& nominal, const CalibrationExc
                        const CalibrationConfig& config, const Eigen::Matrix3d& rotation);
 
 /// Least squares over all unknowns and the orientation of every sample (Gauss-Newton, the orientations
-/// eliminated sample by sample), from the nominal calibration. Known orientations enter with their deviation.
+/// eliminated sample by sample), from the nominal calibration; samples on a wrong branch are oriented anew by
+/// what was found. Known orientations enter with their deviation.
 /// Gauges: with q and gains the mean gain stays one; with directions and turns and no reference the mean turn
 /// stays zero, unless the deviation of the places is known. Errors: Refused when fewer than 20 samples can be
 /// oriented, when the rotor moved less than 10 degrees, or when the 95 % half-width of some combination

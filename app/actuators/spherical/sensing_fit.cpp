@@ -24,7 +24,8 @@ constexpr double LeastCurrent_A = 0.5;
 constexpr double Place_m = 0.88e-4;
 /// A healthy gain is within this; a dead channel has none.
 constexpr double LargestGainError_ratio = 0.3;
-constexpr double HealthyNoise_T = 1e-3;
+/// A poor part has 1 mT. More is no noise of a sensor.
+constexpr double HealthyNoise_T = 2e-3;
 constexpr std::size_t ListedOrientations = 3;
 
 bool isChosen(const CalibrateConfig& config, Calibration calibration) {
@@ -180,6 +181,15 @@ void judge(CalibrateResult& result, const models::CalibrationFit& fit, double no
                              value.unknown.name, value.value),
                  "Check the sensor; leave the channel out with channels.off and calibrate again.");
         }
+    }
+    constexpr double HealthyShare = 0.002;
+    if (const double share = static_cast<double>(fit.strange) / static_cast<double>(fit.sample.size());
+        share > HealthyShare) {
+        note(result, Verdict::Doubtful, "orientations_do_not_fit",
+             fmt::format("{} of {} orientations do not fit the calibrated model", fit.strange,
+                         fit.sample.size()),
+             "Check for harmonics of the field beyond those that are fitted, a loose sensor or iron near the "
+             "rotor.");
     }
     if (noise_T > HealthyNoise_T) {
         note(result, Verdict::Refused, "model_does_not_fit",

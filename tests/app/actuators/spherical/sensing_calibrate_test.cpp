@@ -53,6 +53,43 @@ TEST(SensingCalibrate, findsHarmonicsAndDrift) {
     EXPECT_LT(boardErrors(*device, 100).rms_deg, 0.25);
 }
 
+// Harmonics of 2 % and more (preset H2) put orientations of the nominal calibration on a wrong branch. What
+// remains in a reading is the noise of 0.1 mT and half a step of the converter, and of harmonics whose
+// amplitude depends on the radius, which no calibration finds, up to as much again.
+TEST(SensingCalibrate, orientationsOnAWrongBranchAreFoundAndTurned) {
+    for (const int seed : {1, 2, 3, 7}) {
+        const auto device = openSphere(fmt::format("motion=tumble&harmonics=h2&seed={}", seed));
+        ASSERT_NE(device, nullptr);
+        const CalibrateResult result = calibratedSphere(*device, sensorsOnly(true));
+        ASSERT_NE(result.quality.verdict, Verdict::Refused);
+        for (const CalibrationFigure& figure : result.figures) {
+            if (figure.name == "sensor.deviation") {
+                EXPECT_LT(*figure.estimate.value, 0.25e-3) << seed;
+            }
+        }
+    }
+}
+
+// The calibration says frames and radius itself: it holds for readings whose file notes no device.
+TEST(SensingCalibrate, proposedValuesAreTheWholeBoard) {
+    for (const std::string query : {"motion=tumble&frames=nat&seed=2", "motion=tumble&r_mm=60&seed=2"}) {
+        const auto device = openSphere(query);
+        ASSERT_NE(device, nullptr);
+        const CalibrateResult result = calibratedSphere(*device, sensorsOnly(true));
+        ASSERT_TRUE(result.isApplied) << query;
+        const auto board = readSensingBoard(*device);
+        ASSERT_TRUE(board);
+        const SensingBoard noted = notedSensingBoard(result.proposed);
+        EXPECT_EQ(noted.frames, board->frames) << query;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const models::SensorPose& one = noted.calibration.sensors[i].pose;
+            const models::SensorPose& other = board->calibration.sensors[i].pose;
+            EXPECT_LT((one.position_m - other.position_m).norm(), 1e-6) << query; // single precision
+            EXPECT_LT((one.axes - other.axes).norm(), 1e-5) << query;
+        }
+    }
+}
+
 Recording recordedMotion(double coil_A, const std::vector<std::string>& more, double tilt_deg = 40.0) {
     auto device = openSphere(
         fmt::format("motion=5&adc=1&temp_error_K=0&seed=4&coil_A={}&tilt_deg={}", coil_A, tilt_deg));
