@@ -93,8 +93,14 @@ OrientationEstimate OrientationEstimator::byTensor(const TensorSystem& system,
         linear_T -= harmonicScale(estimate.strength_T) *
                     m_field.harmonicReadings_T(estimate.rotation, m_sensing.poses);
     }
-    estimate.residual_T = linear_T - system.design() * system.solve(linear_T);
-    estimate.freedom = system.freedom();
+    const bool isStrengthHeld =
+        m_config.method == OrientationMethod::TensorRefined && !m_config.fit.isStrengthFree;
+    // A strength that is held is part of the model: readings of another magnet must not fit it.
+    const TensorVector tensor_T = isStrengthHeld
+                                      ? TensorVector(estimate.strength_T * unitTensor(estimate.rotation))
+                                      : system.solve(linear_T);
+    estimate.residual_T = linear_T - system.design() * tensor_T;
+    estimate.freedom = system.freedom() + (isStrengthHeld ? 2 : 0);
     Eigen::Matrix3d own = Eigen::Matrix3d::Zero();
     if (m_config.method == OrientationMethod::TensorRefined) {
         Eigen::Matrix<double, 5, 4> slope;

@@ -266,6 +266,33 @@ TEST(TensorEstimator, strengthOfTheMagnetDoesNotEnterTheTensorAngles) {
     EXPECT_NEAR(worst_deg, 1.45, 0.05);
 }
 
+// A strength that is held belongs to the model: of a magnet 3 % weaker chi-square says so, with 6 degrees of
+// freedom where it is right.
+TEST(TensorEstimator, chiSquareOfAKnownStrengthTellsAnotherMagnet) {
+    const SphericalSensing sensing;
+    const OrientationEstimator held = estimatorOf(OrientationMethod::TensorRefined, sensing, false);
+    for (const double strength_ratio : {1.0, 0.97, 1.05}) {
+        RotorFieldConfig config = sensing.field;
+        config.strength_T *= strength_ratio;
+        const RotorField field(config);
+        Random random(23);
+        double sum = 0.0;
+        constexpr int Poses = 4000;
+        for (int i = 0; i < Poses; ++i) {
+            const Eigen::Matrix3d truth = rotationOf(drawn(random));
+            const OrientationEstimate found =
+                held.estimate(field.readings_T(truth, sensing.poses) + noise_T(random, 100e-6));
+            EXPECT_EQ(found.freedom, 6);
+            sum += found.chiSquare;
+        }
+        if (strength_ratio == 1.0) {
+            EXPECT_NEAR(sum / Poses, 6.0, 4.0 * std::sqrt(12.0 / Poses)); // 4 sigma of the mean
+        } else {
+            EXPECT_GT(sum / Poses, 1000.0); // 3 % of some 0.1 T in nine readings of 0.1 mT: thousands
+        }
+    }
+}
+
 TEST(TensorEstimator, refusesWhatCannotBeSensed) {
     SphericalSensing sensing;
     sensing.field.strength_T = -Q;
