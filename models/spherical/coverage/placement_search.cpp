@@ -98,14 +98,14 @@ public:
 
     const std::vector<Candidate>& candidates() const { return m_candidates; }
 
-    Result<std::vector<PlacementPair>> byReading() const {
+    Result<std::vector<PlacementPair>> byReading(std::size_t wanted) const {
         std::vector<PlacementAngles> angles;
         for (const Candidate& candidate : m_candidates) {
             angles.push_back(candidate.angles);
         }
         return pairsByLeastReading(
-            m_config.device, angles, [this](std::size_t i, std::size_t j) { return areApart(i, j); },
-            m_config.finalists, m_control);
+            m_config.device, angles, [this](std::size_t i, std::size_t j) { return areApart(i, j); }, wanted,
+            m_control);
     }
 
     /// The best pairs of places by a criterion that no roll about the radius changes; smaller is better.
@@ -413,35 +413,72 @@ PlacementResult assessPlacement(const PlacementDevice& device, const SensorTripl
     return result;
 }
 
+namespace {
+
+/// Of the pairs from the index `first` on.
+Result<std::vector<PlacementResult>> assessed(const Search& search, const std::vector<PlacementPair>& pairs,
+                                              std::size_t first, const WorkControl& control) {
+    std::vector<PlacementResult> results(pairs.size() - first);
+    const auto worked = forEachInParallel(
+        results.size(), control, [&](std::size_t i) { results[i] = search.assess(pairs[first + i]); });
+    return worked ? Result<std::vector<PlacementResult>>(std::move(results)) : failure(worked.error());
+}
+
+/// Finalists by their worst reading over coarse poses, which is never less than over all poses. Where none of
+/// them keeps the threshold, as on lattices whose best coarse pairs have zeros between those poses, more are
+/// examined as long as one of the rest could.
+Result<std::vector<PlacementResult>>
+resultsByReading(const Search& search, const PlacementSearchConfig& config, const WorkControl& control) {
+    constexpr int Rounds = 4;
+    constexpr std::size_t Growth = 4;
+    std::vector<PlacementResult> results;
+    std::size_t wanted = config.finalists;
+    for (int round = 0; round < Rounds; ++round, wanted *= Growth) {
+        const auto pairs = search.byReading(wanted);
+        const auto more = pairs ? assessed(search, *pairs, std::min(results.size(), pairs->size()), control)
+                                : Result<std::vector<PlacementResult>>(failure(pairs.error()));
+        if (!more) {
+            return failure(more.error());
+        }
+        results.insert(results.end(), more->begin(), more->end());
+        const bool isKept = std::any_of(results.begin(), results.end(), [&config](const auto& one) {
+            return one.least_T >= config.threshold_T;
+        });
+        if (isKept || pairs->size() < wanted || pairs->back().value < config.threshold_T) {
+            break;
+        }
+    }
+    return results;
+}
+
+} // namespace
+
 Result<PlacementSearch> searchPlacement(const PlacementSearchConfig& config, const WorkControl& control) {
     if (auto checked = checkSearch(config); !checked) {
         return failure(checked.error());
     }
     Search search(config, control);
     search.collectCandidates();
-    auto pairs = search.byReading();
-    if (!pairs) {
-        return failure(pairs.error());
+    auto byReading = resultsByReading(search, config, control);
+    if (!byReading) {
+        return failure(byReading.error());
     }
+    std::vector<PlacementResult> results = *std::move(byReading);
     if (config.device.device == SphericalDevice::Exact) {
         for (const PlacementObjective objective :
              {PlacementObjective::Conditioning, PlacementObjective::PredictedError}) {
-            const auto more = search.byPlace(objective);
+            const auto pairs = search.byPlace(objective);
+            auto more = pairs ? assessed(search, *pairs, 0, control)
+                              : Result<std::vector<PlacementResult>>(failure(pairs.error()));
             if (!more) {
                 return failure(more.error());
             }
-            pairs->insert(pairs->end(), more->begin(), more->end());
+            results.insert(results.end(), more->begin(), more->end());
         }
     }
-    if (pairs->empty()) {
+    if (results.empty()) {
         return failure(ErrorCode::OutOfRange, "The constraints leave no pair of places for the sensors.",
                        "Widen the region, reduce the distance or raise the range of the sensor.");
-    }
-    std::vector<PlacementResult> results(pairs->size());
-    const auto worked = forEachInParallel(results.size(), control,
-                                          [&](std::size_t i) { results[i] = search.assess((*pairs)[i]); });
-    if (!worked) {
-        return failure(worked.error());
     }
     auto proof = proveBest(config, results, control);
     if (!proof) {

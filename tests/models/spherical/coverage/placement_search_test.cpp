@@ -100,6 +100,20 @@ TEST(PlacementSearch, coarseLatticeIsSearchedWithProofAndParetoTable) {
     EXPECT_EQ(again.pareto.size(), precise.pareto.size());
 }
 
+// On this lattice the pairs that read most at coarse poses have zeros between them; others keep the
+// threshold.
+TEST(PlacementSearch, pairsWithZerosBetweenTheCoarsePosesDoNotHideOthers) {
+    PlacementSearchConfig config;
+    config.device.device = SphericalDevice::Additive;
+    config.latticeStep_rad = degreesToRadians(15.0);
+    const auto found = searchPlacement(config);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_GE(found->best.least_T, config.threshold_T);
+    for (const ComponentProof& component : found->proof.component) {
+        EXPECT_GE(component.least_T, config.threshold_T);
+    }
+}
+
 TEST(PlacementSearch, constraintsAreKept) {
     PlacementSearchConfig config;
     config.latticeStep_rad = degreesToRadians(15);
