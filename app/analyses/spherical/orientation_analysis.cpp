@@ -65,6 +65,29 @@ models::SphericalSensing sensingFrom(const AnalysisValues& values, const Orienta
     return sensing;
 }
 
+/// The closed form and the swarm believe the additive model, which has neither harmonics nor a stray field: a
+/// setting that changes nothing would be believed to have done its work.
+Result<void> checkTensorSettings(const AnalysisValues& values, models::EstimatorKind kind) {
+    if (kind < models::EstimatorKind::Closed) {
+        return {};
+    }
+    const std::string harmonics = values.text("harmonics");
+    const std::pair<const char*, bool> given[] = {{"--stray", values.isSet("stray")},
+                                                  {"--passes", values.number("passes").has_value()},
+                                                  {"--harmonics", !harmonics.empty() && harmonics != "none"}};
+    for (const auto& [option, isGiven] : given) {
+        if (isGiven) {
+            return failure(
+                ErrorCode::Usage,
+                fmt::format("{} means nothing to the estimator {}, which takes the device for an additive "
+                            "one",
+                            option, models::EstimatorNames[static_cast<std::size_t>(kind)]),
+                "leave it out, or use --estimator refined");
+        }
+    }
+    return {};
+}
+
 void finish(OrientedPose& pose) {
     pose.angles = models::anglesOf(pose.estimate.rotation);
     pose.shaft = models::shaftOf(pose.estimate.rotation);
@@ -424,6 +447,9 @@ Result<AnalysisOutcome> runOrientation(const AnalysisValues& values, const devic
         work.swarm = swarmSettings(values);
     } else if (auto checked = checkNoSwarmSettings(values, "add --estimator swarm, or leave it out");
                !checked) {
+        return failure(checked.error());
+    }
+    if (auto checked = checkTensorSettings(values, work.kind); !checked) {
         return failure(checked.error());
     }
     const Result<PlacementChoice> choice = placementChoice(values);

@@ -7,7 +7,9 @@
 #include "control/base/units.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -49,18 +51,13 @@ Result<models::SensorTriple> anglesOf(const std::string& text) {
     return tripleOf(angles_deg);
 }
 
-/// The `sensors` of a placement file.
-Result<models::SensorTriple> fileOf(const std::string& path) {
-    const Result<std::string> text = readFile(path);
-    if (!text) {
-        return failure(text.error().code, "--placement: " + text.error().message, Hint);
-    }
-    const Result<JsonValue> document = parseJson(*text, path);
-    if (!document) {
-        return failure(document.error());
-    }
-    const JsonValue* placement = document->find("placement");
-    const JsonValue* sensors = placement == nullptr ? nullptr : placement->find("sensors");
+/// A file of 'halbench place --out': the sensors, and the device that they were placed for.
+struct PlacementFile {
+    models::SensorTriple placement;
+    models::PlacementDevice device;
+};
+
+Result<models::SensorTriple> sensorsOf(const JsonValue* sensors, const std::string& path) {
     const bool isList = sensors != nullptr && sensors->isArray() && sensors->items().size() == 3;
     std::array<double, 9> angles_deg{};
     for (std::size_t i = 0; isList && i < angles_deg.size(); ++i) {
@@ -78,6 +75,77 @@ Result<models::SensorTriple> fileOf(const std::string& path) {
     return tripleOf(angles_deg);
 }
 
+/// One of the words of a member; the present choice where it is missing.
+template <typename Choice, typename Words>
+Result<Choice> wordOf(const JsonValue& placement, const char* key, const Words& words, Choice present,
+                      const std::string& path) {
+    const JsonValue* member = placement.find(key);
+    if (member == nullptr) {
+        return present;
+    }
+    const auto found = member->isText() ? std::find(words.begin(), words.end(), member->text()) : words.end();
+    if (found == words.end()) {
+        return failure(ErrorCode::InvalidInput,
+                       fmt::format("{}: placement.{} is none of {}", path, key, fmt::join(words, ", ")),
+                       Hint);
+    }
+    return static_cast<Choice>(found - words.begin());
+}
+
+Result<double> positiveOf(const JsonValue& placement, const char* key, double present,
+                          const std::string& path) {
+    const JsonValue* member = placement.find(key);
+    if (member == nullptr) {
+        return present;
+    }
+    if (!member->isNumber() || !(member->number() > 0.0)) {
+        return failure(ErrorCode::InvalidInput, fmt::format("{}: placement.{} is not positive", path, key),
+                       Hint);
+    }
+    return member->number();
+}
+
+/// `device`: what the file does not say.
+Result<PlacementFile> fileOf(const std::string& path, const models::PlacementDevice& device) {
+    const Result<std::string> text = readFile(path);
+    if (!text) {
+        return failure(text.error().code, "--placement: " + text.error().message, Hint);
+    }
+    const Result<JsonValue> document = parseJson(*text, path);
+    if (!document) {
+        return failure(document.error());
+    }
+    const JsonValue* placement = document->find("placement");
+    const auto sensors = sensorsOf(placement == nullptr ? nullptr : placement->find("sensors"), path);
+    if (!sensors) {
+        return failure(sensors.error());
+    }
+    const auto kind = wordOf(*placement, "device", models::SphericalDeviceNames, device.device, path);
+    const auto frames = wordOf(*placement, "frames", models::SensorFrameNames, device.frames, path);
+    const auto radius_m = positiveOf(*placement, "radius_m", device.radius_m, path);
+    const auto strength_T = positiveOf(*placement, "strength_T", device.strength_T, path);
+    if (!kind || !frames || !radius_m || !strength_T) {
+        return failure(!kind       ? kind.error()
+                       : !frames   ? frames.error()
+                       : !radius_m ? radius_m.error()
+                                   : strength_T.error());
+    }
+    PlacementFile file{*sensors, device};
+    file.device.device = *kind;
+    file.device.frames = *frames;
+    file.device.radius_m = *radius_m;
+    file.device.strength_T = *strength_T;
+    return file;
+}
+
+bool isFile(const std::string& text) {
+    if (text.empty() || text == "published" || text == "recommended") {
+        return false;
+    }
+    const bool isList = text.find(',') != std::string::npos && text.find('.') > text.find(',');
+    return !isList && !parseNumber(splitList(text)[0]);
+}
+
 Result<models::SensorTriple> namedPlacement(const std::string& text) {
     if (text.empty() || text == "published") {
         return models::publishedPlacement();
@@ -85,8 +153,11 @@ Result<models::SensorTriple> namedPlacement(const std::string& text) {
     if (text == "recommended") {
         return models::recommendedPlacement();
     }
-    const bool isList = text.find(',') != std::string::npos && text.find('.') > text.find(',');
-    return isList || parseNumber(splitList(text)[0]) ? anglesOf(text) : fileOf(text);
+    if (isFile(text)) {
+        const auto file = fileOf(text, {});
+        return file ? Result<models::SensorTriple>(file->placement) : failure(file.error());
+    }
+    return anglesOf(text);
 }
 
 } // namespace
@@ -136,8 +207,16 @@ Result<models::PlacementDevice> deviceChoice(const AnalysisValues& values) {
         device.radius_m = meanRadius_m(board);
         device.strength_T = board.calibration.field.strength_T;
     }
-    device.device = static_cast<models::SphericalDevice>(
-        choiceIndex(models::SphericalDeviceNames, values.text("device")));
+    if (const std::string path = values.text("placement"); isFile(path)) {
+        const auto file = fileOf(path, device);
+        if (!file) {
+            return failure(file.error());
+        }
+        device = file->device;
+    }
+    if (const std::string kind = values.text("device"); !kind.empty()) {
+        device.device = static_cast<models::SphericalDevice>(choiceIndex(models::SphericalDeviceNames, kind));
+    }
     if (const std::string frames = values.text("frames"); !frames.empty()) {
         device.frames = static_cast<models::SensorFrames>(choiceIndex(models::SensorFrameNames, frames));
     }

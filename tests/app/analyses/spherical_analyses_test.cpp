@@ -26,8 +26,8 @@ TEST(OrientationAnalysisTest, errorsAreThoseOfTheNoise) {
     EXPECT_EQ(number(result->body, {"determined"}), 3000.0);
     EXPECT_NEAR(number(result->body, {"truth", "rms_deg"}), 0.0286, 0.03 * 0.0286);
     EXPECT_EQ(number(result->body, {"truth", "wrong_branches"}), 0.0);
-    // Nine readings, five tensor coordinates: four degrees of freedom, standard error sqrt(8 / 3000) = 0.05.
-    EXPECT_NEAR(number(result->body, {"chi_square", "mean"}), 4.0, 0.16);
+    // Nine readings, three angles: six degrees of freedom, standard error sqrt(12 / 3000) = 0.06.
+    EXPECT_NEAR(number(result->body, {"chi_square", "mean"}), 6.0, 0.2);
     EXPECT_EQ(result->quality.verdict, Verdict::Good);
 }
 
@@ -344,6 +344,55 @@ TEST(CoverageAnalysisTest, recommendedPlacementIsProven) {
     EXPECT_NEAR(number(result->body, {"conditioning"}), 1.846, 5e-4);
     EXPECT_EQ(number(result->body, {"count", "uncovered"}), 0.0);
     EXPECT_EQ(result->table->values.size(), 4u * 19 * 19 * 36); // 5 degrees: 19, 19 and 36 angles
+}
+
+// A placement file says for which device it was made; what is written out counts before it.
+TEST(CoverageAnalysisTest, aPlacementFileBringsItsDevice) {
+    const std::string path = testing::TempDir() + "placement.json";
+    const auto write = [&path](const std::string& device) {
+        std::ofstream(path) << R"({"placement": {)" << device << R"("sensors": [
+            {"alpha_deg": 0, "beta_deg": 0, "gamma_deg": 0}, {"alpha_deg": 45, "beta_deg": 30, "gamma_deg": -30},
+            {"alpha_deg": 45, "beta_deg": 30, "gamma_deg": 30}]}})";
+    };
+    const char* const angles = "0,0,0,45,30,-30,45,30,30";
+    const auto least = [](const std::map<std::string, std::string>& values) {
+        std::map<std::string, std::string> all = values;
+        all["step_deg"] = "15";
+        const auto result = run("coverage", all);
+        EXPECT_TRUE(result) << result.error().message;
+        return result ? number(result->body, {"proof", "bound_T"}) : 0.0;
+    };
+    write(R"("frames": "nat", "radius_m": 0.06, "strength_T": 0.09, )");
+    EXPECT_EQ(least({{"placement", path}}),
+              least({{"placement", angles}, {"frames", "nat"}, {"radius_mm", "60"}, {"q_T", "0.09"}}));
+    EXPECT_EQ(least({{"placement", path}, {"frames", "zyx"}, {"radius_mm", "50"}}),
+              least({{"placement", angles}, {"q_T", "0.09"}}));
+    EXPECT_NE(least({{"placement", path}}), least({{"placement", angles}}));
+    write("");
+    EXPECT_EQ(least({{"placement", path}}), least({{"placement", angles}}));
+    for (const char* wrong :
+         {R"("frames": "abc", )", R"("radius_m": -1, )", R"("strength_T": "x", )", R"("device": 3, )"}) {
+        write(wrong);
+        const auto result = run("coverage", {{"placement", path}});
+        ASSERT_FALSE(result) << wrong;
+        EXPECT_EQ(result.error().code, ErrorCode::InvalidInput);
+        EXPECT_NE(result.error().message.find("placement."), std::string::npos) << result.error().message;
+    }
+    std::remove(path.c_str());
+}
+
+TEST(OrientationAnalysisTest, settingsThatMeanNothingToAnEstimatorAreRefused) {
+    const devices::RecordedFile file = recordedPoses(20, Noise_T);
+    for (const char* estimator : {"closed", "closed-fitted", "swarm"}) {
+        EXPECT_EQ(run("orient", {{"estimator", estimator}}, {{"stray", true}}, &file).error().code,
+                  ErrorCode::Usage);
+        for (const auto& [key, value] : {std::pair{"passes", "3"}, {"harmonics", "h1"}}) {
+            const auto result = run("orient", {{"estimator", estimator}, {key, value}}, {}, &file);
+            ASSERT_FALSE(result) << estimator << " " << key;
+            EXPECT_EQ(result.error().code, ErrorCode::Usage);
+            EXPECT_NE(result.error().message.find(key), std::string::npos) << result.error().message;
+        }
+    }
 }
 
 TEST(CoverageAnalysisTest, stopsWhenAsked) {
