@@ -491,10 +491,6 @@
         <translation>Bringen Sie sie näher an die Mitte, oder erweitern Sie window.x und window.y. Nichts wurde freigegeben.</translation>
     </message>
     <message>
-        <source>the platen has no room for a pitch along {}: {} to {} mm</source>
-        <translation>die Platte hat keinen Raum für eine Teilung entlang {}: {} bis {} mm</translation>
-    </message>
-    <message>
         <source>Check its amplifier and the link.</source>
         <translation>Prüfen Sie ihren Verstärker und die Verbindung.</translation>
     </message>
@@ -9095,10 +9091,6 @@
         <translation>Auf die Achse wirkt eine Kraft, die dem Modell fehlt, oder Position und Stellgröße sind zeitlich verschoben.</translation>
     </message>
     <message>
-        <source>the platen left its window: {} {} from where it began in {}, the window is {} {}</source>
-        <translation>die Platte hat ihr Fenster verlassen: {} {} vom Anfang entfernt in {}, das Fenster ist {} {}</translation>
-    </message>
-    <message>
         <source>Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the platen to the middle, and start again.</source>
         <translation>Nichts wurde geändert. Nehmen Sie der Platte die Last von Kabel oder Neigung, heben Sie den Stopp auf, bewegen Sie die Platte zur Mitte und beginnen Sie neu.</translation>
     </message>
@@ -10641,6 +10633,42 @@
     <message>
         <source>calibrate the stray field, then measure again</source>
         <translation>kalibrieren Sie das Streufeld und messen Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>the platen has no room for a pitch of {} mm along {}: it may move from {} to {} mm, and there only on lines that are {} mm apart</source>
+        <translation>die Platte hat keinen Raum für eine Teilung von {} mm entlang {}: sie darf von {} bis {} mm fahren, und dort nur auf Linien im Abstand von {} mm</translation>
+    </message>
+    <message>
+        <source>goes to the middle</source>
+        <translation>fährt zur Mitte</translation>
+    </message>
+    <message>
+        <source>{}; axis {} was {} {} from where it began</source>
+        <translation>{}; Achse {} war {} {} vom Anfang entfernt</translation>
+    </message>
+    <message>
+        <source>{} of {} orientations do not fit the calibrated model</source>
+        <translation>{} von {} Orientierungen passen nicht zum kalibrierten Modell</translation>
+    </message>
+    <message>
+        <source>Check for harmonics of the field beyond those that are fitted, a loose sensor or iron near the rotor.</source>
+        <translation>Prüfen Sie, ob das Feld weitere Oberwellen hat, ein Sensor lose oder Eisen nahe dem Rotor ist.</translation>
+    </message>
+    <message>
+        <source>a {} needs {}_deg{} or {}_mm{}</source>
+        <translation>{} braucht {}_deg{} oder {}_mm{}</translation>
+    </message>
+    <message>
+        <source>Add {}_deg{}=... or {}_mm{}=... to the reference.</source>
+        <translation>Ergänzen Sie {}_deg{}=... oder {}_mm{}=... im Sollwert.</translation>
+    </message>
+    <message>
+        <source>axis {} would come to {} {}, its travel ends at {} {}</source>
+        <translation>Achse {} käme bis {} {}, ihr Verfahrweg endet bei {} {}</translation>
+    </message>
+    <message>
+        <source>A reference counts from where the axis stands, now {} {}: move it nearer to the middle first, or less far. Nothing moved.</source>
+        <translation>Ein Sollwert zählt von dort, wo die Achse steht, jetzt {} {}: fahren Sie erst näher zur Mitte oder weniger weit. Nichts wurde bewegt.</translation>
     </message>
 </context>
 <context>

@@ -491,10 +491,6 @@
         <translation>请将其移近中央，或放宽 window.x 和 window.y。未进行任何使能。</translation>
     </message>
     <message>
-        <source>the platen has no room for a pitch along {}: {} to {} mm</source>
-        <translation>动子沿 {} 方向没有一个节距的空间：{} 到 {} mm</translation>
-    </message>
-    <message>
         <source>Check its amplifier and the link.</source>
         <translation>请检查其放大器和连接。</translation>
     </message>
@@ -9095,10 +9091,6 @@
         <translation>该轴受到模型中没有的力，或位置与控制量在时间上错位。</translation>
     </message>
     <message>
-        <source>the platen left its window: {} {} from where it began in {}, the window is {} {}</source>
-        <translation>动子离开了其窗口：距起点 {} {}（{} 方向），窗口为 {} {}</translation>
-    </message>
-    <message>
         <source>Nothing was changed. Take the load of cable or tilt off the platen, clear the stop, move the platen to the middle, and start again.</source>
         <translation>未作任何更改。请消除电缆或倾斜对动子的作用力，解除停止，将动子移到中央，然后重新开始。</translation>
     </message>
@@ -10641,6 +10633,42 @@
     <message>
         <source>calibrate the stray field, then measure again</source>
         <translation>请标定杂散磁场，然后重新测量</translation>
+    </message>
+    <message>
+        <source>the platen has no room for a pitch of {} mm along {}: it may move from {} to {} mm, and there only on lines that are {} mm apart</source>
+        <translation>动子在 {1} 方向上没有一个节距 {0} mm 的空间：允许范围为 {2} 至 {3} mm，并且只能沿间距 {4} mm 的线移动</translation>
+    </message>
+    <message>
+        <source>goes to the middle</source>
+        <translation>移向中间</translation>
+    </message>
+    <message>
+        <source>{}; axis {} was {} {} from where it began</source>
+        <translation>{}；轴 {} 已离开起点 {} {}</translation>
+    </message>
+    <message>
+        <source>{} of {} orientations do not fit the calibrated model</source>
+        <translation>{1} 个姿态中有 {0} 个与标定模型不符</translation>
+    </message>
+    <message>
+        <source>Check for harmonics of the field beyond those that are fitted, a loose sensor or iron near the rotor.</source>
+        <translation>检查是否存在拟合之外的磁场谐波、松动的传感器或转子附近的铁磁物体。</translation>
+    </message>
+    <message>
+        <source>a {} needs {}_deg{} or {}_mm{}</source>
+        <translation>{} 需要 {}_deg{} 或 {}_mm{}</translation>
+    </message>
+    <message>
+        <source>Add {}_deg{}=... or {}_mm{}=... to the reference.</source>
+        <translation>在参考值中加入 {}_deg{}=... 或 {}_mm{}=...。</translation>
+    </message>
+    <message>
+        <source>axis {} would come to {} {}, its travel ends at {} {}</source>
+        <translation>轴 {} 将到达 {} {}，其行程终点为 {} {}</translation>
+    </message>
+    <message>
+        <source>A reference counts from where the axis stands, now {} {}: move it nearer to the middle first, or less far. Nothing moved.</source>
+        <translation>参考值从轴的当前位置 {} {} 算起：请先移近中间，或减小移动量。未发生运动。</translation>
     </message>
 </context>
 <context>
