@@ -4,12 +4,15 @@
 #include "app/cli/axis_tuning_text.h"
 #include "app/cli/command_support.h"
 #include "app/cli/identify_options.h"
+#include "app/cli/loop_pictures.h"
+#include "app/cli/loop_tables.h"
 #include "app/documents/axis_loop_documents.h"
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
 #include "app/headless/command_header.h"
 #include "app/procedures/apply/apply_axes.h"
 #include "app/procedures/base/doubtful_source.h"
+#include "app/procedures/tune/loop_axis.h"
 #include "app/tuning/axis_conditions.h"
 #include "app/tuning/gains_judgement.h"
 
@@ -33,7 +36,6 @@ Result<void> refuseForAxes(const TuneOptions& options) {
                         {"--max-sensitivity", !options.design.maxSensitivity.empty()},
                         {"--current-limit-a", !options.design.currentLimit.empty()},
                         {"--step-deg", !options.design.limitedStep.empty()},
-                        {"--picture", !options.outputs.pictures.empty()},
                         {"--code", !options.outputs.codeFile.empty()},
                         {"--live", options.isLive},
                         {"--given", !options.given.empty()}},
@@ -42,11 +44,7 @@ Result<void> refuseForAxes(const TuneOptions& options) {
 
 Result<void> refuseForAxes(const AnalyseOptions& options) {
     return refuseGiven({{"--calibration", !options.calibrationFile.empty()},
-                        {"--picture", !options.outputs.pictures.empty()},
                         {"--code", !options.outputs.codeFile.empty()},
-                        {"--bode", !options.bodeFile.empty()},
-                        {"--step", !options.stepFile.empty()},
-                        {"--poles", !options.polesFile.empty()},
                         {"--compare", !options.compared.empty()},
                         {"--what-if", !options.whatIf.recording.empty()},
                         {"--ran", !options.whatIf.ranFile.empty()},
@@ -135,6 +133,42 @@ Result<void> admitGains(const TuneOptions& options, const AxisLaws& laws, const 
         }
     }
     return {};
+}
+
+/// Tables and pictures are of one loop.
+Result<std::vector<LoopPicture>> picturesOf(const LoopOutputs& outputs, const LoopTableFiles& tables,
+                                            const AxisWork& work) {
+    const bool isAsked = !outputs.pictures.empty() || tables.isAny();
+    if (isAsked && work.axes.size() > 1) {
+        return failure(
+            ErrorCode::Usage,
+            fmt::format("a table or picture is of one loop, the model has {}", fmt::join(work.axes, ", ")),
+            "choose the axis with --axis");
+    }
+    auto pictures = loopPicturesOf(outputs.pictures);
+    for (const LoopPicture& picture : pictures ? *pictures : std::vector<LoopPicture>()) {
+        if (picture.view == "large-step" || picture.view == "disturbance") {
+            return failure(ErrorCode::Usage, fmt::format("--picture: an axis has no view '{}'", picture.view),
+                           "use step: the test step with friction and effort limit");
+        }
+    }
+    return pictures;
+}
+
+/// Of the one chosen axis; without any, nothing is written.
+Result<void> writeOutputs(const std::vector<LoopPicture>& pictures, const LoopTableFiles& tables,
+                          const AxisModel& model, const TuneResult& judged, const AxisWork& work) {
+    if (pictures.empty() && !tables.isAny()) {
+        return {};
+    }
+    const MotorEstimate estimate = estimateOfAxis(model, *model.find(work.axes.front()));
+    const TuneConfig draws;
+    const double load = judged.disturbance ? judged.disturbance->load_A : DisturbanceLoad_A;
+    const auto written = writeLoopTables(
+        tables, {estimate, {judged.law, judged.filtered}, judged.conditions, {work.header.seed, load}},
+        judged.predicted);
+    return written ? writeLoopPictures(pictures, {&judged, &estimate, {}, {draws.draws, work.header.seed}})
+                   : written;
 }
 
 /// `admit`: what the gains need besides, before they are judged.
@@ -284,6 +318,10 @@ CommandResult tuneAxesOf(CommandContext& context, const TuneOptions& options, co
     if (!work) {
         return failure(work.error());
     }
+    const auto pictures = picturesOf(options.outputs, {}, *work);
+    if (!pictures) {
+        return failure(pictures.error());
+    }
     std::unique_ptr<devices::Device> device;
     if (!options.applyDevice.empty()) {
         auto opened = openForAxes(context, options, model, *work, std::move(identified));
@@ -297,6 +335,9 @@ CommandResult tuneAxesOf(CommandContext& context, const TuneOptions& options, co
                                             : judgedGains(options.gainsFile, model, *work, admit);
     if (!result) {
         return failure(result.error());
+    }
+    if (const auto drawn = writeOutputs(*pictures, {}, model.model, result->axes.front(), *work); !drawn) {
+        return failure(drawn.error());
     }
     std::string text = axisGainsText(*result);
     std::optional<JsonValue> assessment;
@@ -374,6 +415,11 @@ CommandResult analyseAxesOf(CommandContext& context, const AnalyseOptions& optio
     if (!work) {
         return failure(work.error());
     }
+    const LoopTableFiles tables{options.bodeFile, options.stepFile, options.polesFile};
+    const auto pictures = picturesOf(options.outputs, tables, *work);
+    if (!pictures) {
+        return failure(pictures.error());
+    }
     const auto admitAll = [](const AxisLaws&) { return Result<void>(); };
     auto result = judgedGains(options.gainsFile, model, *work, admitAll);
     if (!result) {
@@ -384,6 +430,10 @@ CommandResult analyseAxesOf(CommandContext& context, const AnalyseOptions& optio
         axis.quality.verdict = std::min(axis.quality.verdict, Verdict::Doubtful);
     }
     result->quality.verdict = std::min(result->quality.verdict, Verdict::Doubtful);
+    if (const auto written = writeOutputs(*pictures, tables, model.model, result->axes.front(), *work);
+        !written) {
+        return failure(written.error());
+    }
     const JsonValue document = axisAnalysisDocument(work->header, *result);
     if (const auto done = deliver(context, document, axisAnalysisText(*result), ""); !done) {
         return failure(done.error());

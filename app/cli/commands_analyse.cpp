@@ -4,6 +4,7 @@
 #include "app/cli/judgement_text.h"
 #include "app/cli/loop_options.h"
 #include "app/cli/loop_pictures.h"
+#include "app/cli/loop_tables.h"
 #include "app/documents/filtered_gains.h"
 #include "app/documents/law_code.h"
 #include "app/documents/model_file.h"
@@ -11,71 +12,20 @@
 #include "app/documents/text/numbers.h"
 #include "app/documents/text/output_file.h"
 #include "app/headless/command_header.h"
-#include "app/procedures/tune/disturbance.h"
-#include "app/procedures/tune/loop_uncertainty.h"
 #include "app/tuning/gains_judgement.h"
 #include "app/tuning/loop_comparison.h"
 #include "app/tuning/loop_conditions.h"
 #include "app/tuning/what_if_report.h"
-#include "control/base/assert.h"
-#include "control/base/units.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <utility>
 
 namespace halbench::app {
 
 namespace {
-
-Result<void> writeColumns(const std::string& path, const std::string& header,
-                          const std::vector<const std::vector<double>*>& columns) {
-    if (path.empty()) {
-        return {};
-    }
-    std::string text = header + "\n";
-    for (std::size_t row = 0; row < columns.front()->size(); ++row) {
-        for (std::size_t column = 0; column < columns.size(); ++column) {
-            const double value = (*columns[column])[row];
-            text += column == 0 ? "" : ",";
-            text += std::isfinite(value) ? formatNumber(value) : std::string(); // a band that is not known
-        }
-        text += '\n';
-    }
-    return writeFile(path, text);
-}
-
-/// Closed loop: factor 1. A line each, so that any program can draw it.
-Result<void> writePoles(const std::string& path, const AnalysisResult::Roots& roots) {
-    if (path.empty()) {
-        return {};
-    }
-    std::string text = "kind,branch,gain_factor,real,imaginary\n";
-    const auto add = [&text](const char* kind, std::size_t branch, double factor,
-                             std::complex<double> place) {
-        text += fmt::format("{},{},{},{},{}\n", kind, branch, formatNumber(factor),
-                            formatNumber(place.real()), formatNumber(place.imag()));
-    };
-    const auto addAll = [&add](const char* kind, double factor,
-                               const std::vector<std::complex<double>>& places) {
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            add(kind, i, factor, places[i]);
-        }
-    };
-    addAll("zero", 0.0, roots.zeros);
-    addAll("open", 0.0, roots.openLoop);
-    addAll("closed", 1.0, roots.closedLoop);
-    for (std::size_t branch = 0; branch < roots.locus.branch.size(); ++branch) {
-        for (std::size_t i = 0; i < roots.locus.gain.size(); ++i) {
-            add("locus", branch, roots.locus.gain[i], roots.locus.branch[branch][i]);
-        }
-    }
-    return writeFile(path, text);
-}
 
 std::string analysisText(const AnalysisResult& result) {
     std::string text = fmt::format("{}\n", result.isStable ? "stable" : "UNSTABLE");
@@ -92,19 +42,6 @@ std::string analysisText(const AnalysisResult& result) {
         text += figureLines("large step, with friction and current limit", *step);
     }
     return text;
-}
-
-/// The columns of a band; empty cells where nothing is known of it.
-control::Band columnsOf(const control::Band& band, std::size_t rows) {
-    const std::vector<double> unknown(rows, std::numeric_limits<double>::quiet_NaN());
-    const bool isKnown = band.p5.size() == rows;
-    return isKnown ? band : control::Band{unknown, unknown};
-}
-
-/// The motors that the uncertainty allows; none for a model without one.
-std::vector<control::PositionPlant> motorsOf(const ModelFile& model, std::uint64_t seed) {
-    const auto plants = drawnPlants(model.estimate, {TuneConfig().draws, seed});
-    return plants ? *plants : std::vector<control::PositionPlant>();
 }
 
 /// The same judgement as of gains that are designed. An analysis refuses none: what it is asked to show may
@@ -164,45 +101,6 @@ Result<std::vector<ComparedLoop>> analyseAll(const AnalyseOptions& options, cons
     return loops;
 }
 
-/// The open loop with its bands.
-Result<void> writeBode(const std::string& path, const AnalysisResult::Bode& bode, const ComparedLoop& loop,
-                       const std::vector<control::PositionPlant>& motors) {
-    std::vector<double> frequency_rad_s;
-    for (const double frequency_Hz : bode.frequency_Hz) {
-        frequency_rad_s.push_back(2.0 * Pi * frequency_Hz);
-    }
-    const std::size_t rows = bode.frequency_Hz.size();
-    const auto bands = loopBandsOf(motors, loop.gains.loopLaw(), loop.gains.timing, frequency_rad_s);
-    const auto magnitude = columnsOf(bands ? bands->magnitude_dB : control::Band{}, rows);
-    const auto phase = columnsOf(bands ? bands->phase_deg : control::Band{}, rows);
-    return writeColumns(path,
-                        "frequency_hz,magnitude_db,phase_deg,magnitude_p5_db,magnitude_p95_db,phase_p5_deg,"
-                        "phase_p95_deg",
-                        {&bode.frequency_Hz, &bode.magnitude_dB, &bode.phase_deg, &magnitude.p5,
-                         &magnitude.p95, &phase.p5, &phase.p95});
-}
-
-/// A step of the reference, and beside it what a load does, on the same times, with their bands; none of an
-/// unstable loop.
-Result<void> writeStep(const std::string& path, const AnalysisResult::Step& step,
-                       const control::LoadStep& loaded, double load_A, const ComparedLoop& loop,
-                       const std::vector<control::PositionPlant>& motors) {
-    HB_ASSERT(loaded.time_s.size() == step.time_s.size());
-    const std::size_t rows = step.time_s.size();
-    const double end_s = rows > 0 ? step.time_s.back() : 0.0;
-    const LoopLaw law = loop.gains.loopLaw();
-    const auto answer = stepBandOf(motors, law, loop.gains.timing, 1.0, {end_s, step.pointsPerSample});
-    const auto under =
-        disturbanceEnvelopeOf(motors, law, loop.gains.timing, load_A, {end_s, step.pointsPerSample});
-    const auto response = columnsOf(answer ? answer->response_rad : control::Band{}, rows);
-    const auto angle = columnsOf(under ? under->angle_rad : control::Band{}, rows);
-    return writeColumns(path,
-                        "time_s,response_rad,current_A,load_angle_rad,load_current_A,response_p5_rad,"
-                        "response_p95_rad,load_angle_p5_rad,load_angle_p95_rad",
-                        {&step.time_s, &step.response_rad, &step.current_A, &loaded.angle_rad,
-                         &loaded.current_A, &response.p5, &response.p95, &angle.p5, &angle.p95});
-}
-
 /// Each as it is judged alone; the answer is that of the first.
 Result<TuneResult> judgeAll(std::vector<ComparedLoop>& loops, const ModelFile& model,
                             const LoopConditions& conditions, const JudgedWith& with) {
@@ -218,22 +116,13 @@ Result<TuneResult> judgeAll(std::vector<ComparedLoop>& loops, const ModelFile& m
 /// What the other programs and controllers draw and run: of the first gains.
 Result<void> writeFiles(const AnalyseOptions& options, const ModelFile& model, const ComparedLoop& loop,
                         LoopConditions conditions, const JudgedWith& with) {
-    const AnalysisResult& result = loop.result;
     conditions.timing = loop.gains.timing;
-    const bool needsMotors = !options.bodeFile.empty() || !options.stepFile.empty();
-    const auto motors = needsMotors ? motorsOf(model, with.seed) : std::vector<control::PositionPlant>();
-    Result<void> done =
-        options.bodeFile.empty() ? Result<void>() : writeBode(options.bodeFile, result.bode, loop, motors);
-    if (done && !options.stepFile.empty()) {
-        const auto loaded =
-            disturbanceStep(model.estimate, loop.gains.loopLaw(), conditions, result, with.load_A)
-                .value_or(control::LoadStep{});
-        done = writeStep(options.stepFile, result.stepCurve, loaded, with.load_A, loop, motors);
-    }
-    done = done ? writePoles(options.polesFile, result.roots) : done;
-    return done ? writeLaw(options.outputs.codeFile, loop.gains.loopLaw(), conditions,
-                           {loop.gains.method, model.device})
-                : done;
+    const auto written =
+        writeLoopTables({options.bodeFile, options.stepFile, options.polesFile},
+                        {model.estimate, loop.gains.loopLaw(), conditions, with}, loop.result);
+    return written ? writeLaw(options.outputs.codeFile, loop.gains.loopLaw(), conditions,
+                              {loop.gains.method, model.device})
+                   : written;
 }
 
 /// Without --what-if nothing.

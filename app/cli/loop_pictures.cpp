@@ -1,6 +1,7 @@
 #include "app/cli/loop_pictures.h"
 
 #include "app/documents/text/output_file.h"
+#include "app/figures/axis_figures.h"
 #include "app/figures/disturbance_figure.h"
 #include "app/figures/loop_figures.h"
 #include "app/figures/picture_file.h"
@@ -48,6 +49,9 @@ std::optional<widgets::Figure> figureOf(const std::string& view, const DrawnLoop
     }
     if (view == "root-locus") {
         return rootLocusFigure(predicted, {}, loop.others);
+    }
+    if (view == "step" && result.conditions.axis) {
+        return axisStepFigure(*result.conditions.axis, predicted, {});
     }
     if (view == "step") {
         return linearStepFigure(predicted, {}, widgets::AngleUnit::Radian, loop.others, uncertainty);
