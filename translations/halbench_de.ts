@@ -10670,6 +10670,14 @@
         <source>A reference counts from where the axis stands, now {} {}: move it nearer to the middle first, or less far. Nothing moved.</source>
         <translation>Ein Sollwert zählt von dort, wo die Achse steht, jetzt {} {}: fahren Sie erst näher zur Mitte oder weniger weit. Nichts wurde bewegt.</translation>
     </message>
+    <message>
+        <source>{}: {} is {} rad, more than a turn</source>
+        <translation>{}: {} ist {} rad, mehr als eine Umdrehung</translation>
+    </message>
+    <message>
+        <source>Name columns in degrees alpha_deg, beta_deg, gamma_deg.</source>
+        <translation>Nennen Sie Spalten in Grad alpha_deg, beta_deg, gamma_deg.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

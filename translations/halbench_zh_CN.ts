@@ -10670,6 +10670,14 @@
         <source>A reference counts from where the axis stands, now {} {}: move it nearer to the middle first, or less far. Nothing moved.</source>
         <translation>参考值从轴的当前位置 {} {} 算起：请先移近中间，或减小移动量。未发生运动。</translation>
     </message>
+    <message>
+        <source>{}: {} is {} rad, more than a turn</source>
+        <translation>{}：{} 为 {} rad，超过一圈</translation>
+    </message>
+    <message>
+        <source>Name columns in degrees alpha_deg, beta_deg, gamma_deg.</source>
+        <translation>以度为单位的列请命名为 alpha_deg、beta_deg、gamma_deg。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -319,6 +319,8 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "A seed is a whole number from 0 to 18446744073709551615. Known keys: {}."),
     QT_TRANSLATE_NOOP("Phrases", "First line: time_s,alpha_deg,beta_deg,gamma_deg (or ..._rad); then numbers."),
     QT_TRANSLATE_NOOP("Phrases", "{}: value {} is not a number"),
+    QT_TRANSLATE_NOOP("Phrases", "{}: {} is {} rad, more than a turn"),
+    QT_TRANSLATE_NOOP("Phrases", "Name columns in degrees alpha_deg, beta_deg, gamma_deg."),
     QT_TRANSLATE_NOOP("Phrases", "cannot read the poses '{}'"),
     QT_TRANSLATE_NOOP("Phrases", "{}:1: not the columns of a motion"),
     QT_TRANSLATE_NOOP("Phrases", "{}: the time does not increase"),

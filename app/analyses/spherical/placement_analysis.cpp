@@ -103,7 +103,8 @@ std::string rowText(const models::PlacementResult& row) {
         const models::PlacementAngles& at = row.placement[i];
         return anglesText(at.alpha_rad, at.beta_rad, at.gamma_rad);
     };
-    return fmt::format("  {:>8.2f} {:>12.3f} {:>9.4f}  {:<16} {}\n", 1e3 * row.least_T, row.conditioning,
+    const std::string conditioning = row.conditioning > 0.0 ? fmt::format("{:.3f}", row.conditioning) : "-";
+    return fmt::format("  {:>8.2f} {:>12} {:>9.4f}  {:<16} {}\n", 1e3 * row.least_T, conditioning,
                        radiansToDegrees(row.deviation_rad), sensor(1), sensor(2));
 }
 

@@ -312,6 +312,11 @@ TEST(SimulatedSphericalTest, motionComesFromAFileOfPoses) {
     EXPECT_NEAR(saved.signals().orientation.angle_rad[0], degreesToRadians(15.0), 1e-5);
     std::ofstream(path) << "time_s,alpha_deg,beta_deg,gamma_deg\n\n\n";
     EXPECT_THAT(messageOf("sim:spherical?poses=" + path), testing::HasSubstr("no poses"));
+    // Degrees under a name in radians; a spin may count on over many turns.
+    std::ofstream(path) << "time_s,alpha_rad,beta_rad,gamma_rad\n0,0,0,0\n1,20,0,0\n";
+    EXPECT_THAT(messageOf("sim:spherical?poses=" + path), testing::HasSubstr(":3: alpha is 20 rad"));
+    std::ofstream(path) << "time_s,alpha_deg,beta_deg,gamma_deg\n0,0,0,0\n1,20,-40,7200\n";
+    EXPECT_EQ(messageOf("sim:spherical?poses=" + path), "made");
     std::remove(path.c_str());
 }
 
