@@ -6,10 +6,15 @@
 
 namespace halbench::app {
 
-/// The board is armed by the protocol's parameter (resources/help/protocol.md 3.15) and its profile names its
-/// axes with their units. A board that only senses, and one without a profile, is not driven from the window.
+/// The board is armed by the protocol's parameter (resources/help/protocol.md 3.15).
+inline bool canBeArmed(const devices::Catalogue& catalogue) {
+    return catalogue.findParameter("hb.arm") != nullptr;
+}
+
+/// And its profile names its axes with their units. A board that only senses, and one without a profile, is
+/// not driven from the window.
 inline bool canBeDriven(const devices::Catalogue& catalogue) {
-    return catalogue.findParameter("hb.arm") != nullptr && !catalogue.axes.empty();
+    return canBeArmed(catalogue) && !catalogue.axes.empty();
 }
 
 /// Name of the signal that plays the role on this device; the role itself where none does, which is what a

@@ -2,12 +2,30 @@
 
 #include "app/workbench/drive_ability.h"
 #include "app/workbench/drive_orders.h"
+#include "devices/profile.h"
 
 #include <QPointer>
 
 #include <utility>
 
 namespace halbench::app {
+
+namespace {
+
+/// Certain that there is nothing to arm: in a recording, and on a board whose profile knows no axis and that
+/// has no order to arm. What a board without a profile moves is not known.
+bool hasNothingToArm(const devices::DeviceInfo& info, const devices::Catalogue& catalogue) {
+    if (info.transport == "replay") {
+        return true;
+    }
+    if (canBeArmed(catalogue) || !catalogue.axes.empty()) {
+        return false;
+    }
+    const Result<std::optional<devices::Profile>> profile = devices::findProfile(info.model);
+    return profile && *profile;
+}
+
+} // namespace
 
 bool DriveArming::isAvailable() const {
     return m_bench.session().state() == SessionState::Connected && m_bench.session().procedure().isEmpty() &&
@@ -40,10 +58,27 @@ bool DriveArming::canDisarm() const {
 }
 
 bool DriveArming::isNothingToStop() const {
-    if (m_bench.session().state() == SessionState::Disconnected) {
+    const DeviceSession& session = m_bench.session();
+    if (!session.heldDevice().isEmpty()) {
+        return false; // nothing new is known of it while a recording is open in its place
+    }
+    if (session.state() == SessionState::Disconnected) {
         return true;
     }
-    return isAvailable() && !isArmed() && !m_commands.isPending() && !m_bench.freshness().isStale();
+    const bool isOpen = session.state() == SessionState::Connected || session.isPlayedToTheEnd();
+    if (!isOpen || !session.procedure().isEmpty() || m_commands.isPending()) {
+        return false;
+    }
+    return hasNothingToArm(session.info(), session.catalogue()) || isKnownIdle();
+}
+
+/// By what the board says of itself, and not by what is known of it from before. The time of a simulation
+/// that runs as fast as possible stands still until somebody waits for it: nothing new can have happened.
+bool DriveArming::isKnownIdle() const {
+    const DeviceSession& session = m_bench.session();
+    const bool isTimeStill = session.info().isSimulated && session.pace().speed_ratio <= 0.0;
+    return canBeArmed(session.catalogue()) && session.report().board.isConnected && !isArmed() &&
+           (isTimeStill || m_bench.freshness().isFresh());
 }
 
 bool DriveArming::needsConsent() const {

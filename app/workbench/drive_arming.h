@@ -46,6 +46,8 @@ Q_SIGNALS:
     void consentSettled();
 
 private:
+    bool isKnownIdle() const;
+
     Workbench& m_bench;
     DriveCommands& m_commands;
     bool m_hasConsent = false;

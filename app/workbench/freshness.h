@@ -18,6 +18,8 @@ public:
 
     void samplesCame();
     bool isStale() const { return m_isStale; }
+    /// Values came, and not long ago.
+    bool isFresh() const { return m_last.isValid() && !m_isStale; }
     /// Since when, on the wall's clock; empty while values are fresh.
     QString words() const;
 

@@ -10,6 +10,7 @@
 #include <QPointer>
 
 #include <atomic>
+#include <optional>
 
 namespace halbench::app {
 namespace {
@@ -151,10 +152,66 @@ TEST_F(EscapeTest, stopsFromAMenuWhenTheStateIsNotKnown) {
     open();
     connectMotor(1.0);
     awaitSamples();
-    session().setPace({0.0}); // time stands still: nothing new comes
+    session().setLiveStream({}, 100.0); // nothing new comes
     ASSERT_TRUE(wait([&] { return window->bench().freshness().isStale(); }));
     const std::uint64_t before = stops();
     QTest::keyClick(openMenu(), Qt::Key_Escape);
+    EXPECT_GT(stops(), before);
+}
+
+TEST_F(EscapeTest, stopsBeforeTheFirstValueOfADeviceThatCanBeArmed) {
+    open();
+    std::optional<std::uint64_t> stopped;
+    QObject::connect(&session(), &DeviceSession::stateChanged, window.get(), [&] {
+        if (session().state() == SessionState::Connected && !stopped) {
+            const std::uint64_t before = stops();
+            QTest::keyClick(window.get(), Qt::Key_Escape);
+            stopped = stops() - before;
+        }
+    });
+    connectMotor(1.0);
+    ASSERT_TRUE(stopped);
+    EXPECT_GT(*stopped, 0U);
+}
+
+TEST_F(EscapeTest, latchesNothingWhileADisarmedSimulationRunsAsFastAsPossible) {
+    open();
+    connectMotor(1.0);
+    awaitSamples();
+    session().setPace({0.0}); // its time stands still until a procedure waits for it
+    ASSERT_TRUE(wait([&] { return window->bench().freshness().isStale(); }));
+    const std::uint64_t before = stops();
+    QMenu* menu = openMenu();
+    QTest::keyClick(menu, Qt::Key_Escape);
+    EXPECT_FALSE(menu->isVisible());
+    EXPECT_EQ(stops(), before);
+    QTest::mousePress(window->findChild<widgets::StopButton*>(), Qt::LeftButton);
+    EXPECT_TRUE(wait([&] { return isLatched(); }));
+}
+
+TEST_F(EscapeTest, stopsAnArmedSimulationThatRunsAsFastAsPossible) {
+    open();
+    connectMotor(1.0);
+    awaitSamples();
+    window->bench().drive().arm();
+    ASSERT_TRUE(wait([&] { return session().report().board.isArmed; }));
+    session().setPace({0.0});
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    EXPECT_TRUE(wait([&] { return isLatched() && !session().report().board.isArmed; }));
+}
+
+TEST_F(EscapeTest, latchesNothingOnABoardWithNothingToArm) {
+    open();
+    window->connectDevice(QStringLiteral("sim:spherical"));
+    ASSERT_TRUE(wait([&] { return session().state() == SessionState::Connected; }));
+    const std::uint64_t before = stops();
+    QMenu* menu = openMenu();
+    QTest::keyClick(menu, Qt::Key_Escape);
+    EXPECT_FALSE(menu->isVisible());
+    QTest::keyClick(window.get(), Qt::Key_Escape);
+    EXPECT_EQ(stops(), before);
+    EXPECT_FALSE(isLatched());
+    QTest::mousePress(window->findChild<widgets::StopButton*>(), Qt::LeftButton);
     EXPECT_GT(stops(), before);
 }
 
