@@ -191,7 +191,7 @@ void MainWindow::createPanelKeys() {
         makePanelToggle(*m_docks, QStringLiteral("drive"), QKeySequence(QStringLiteral("F7"))),
         makePanelToggle(*m_docks, QStringLiteral("parameters"), QKeySequence(QStringLiteral("F8")))};
     addActions(actions);
-    static_cast<MonitorPanel*>(m_docks->panel("monitor"))->addTools(actions);
+    static_cast<MonitorPanel*>(m_docks->panel("monitor"))->addToolsAhead(actions);
     QAction* log = makePanelToggle(*m_docks, QStringLiteral("log"), QKeySequence(QStringLiteral("F9")));
     addAction(log);
     connect(m_link, &LinkPanel::logRequested, log, &QAction::trigger);

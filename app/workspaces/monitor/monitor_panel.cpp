@@ -138,16 +138,17 @@ QWidget* MonitorPanel::buildTools() {
     if (isFirst()) {
         addTool(*bar, m_rate->action(), false);
     }
-    auto* space = new QWidget(bar);
-    space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    bar->addWidget(space);
     return bar;
 }
 
-void MonitorPanel::addTools(const QList<QAction*>& actions) {
+/// Ahead of the others: at the right end they would leave their places to the panel that opens there, and a
+/// click meant for one of them would meet its Arm.
+void MonitorPanel::addToolsAhead(const QList<QAction*>& actions) {
+    QAction* first = m_tools->actions().front();
     for (QAction* action : actions) {
-        addTool(*m_tools, *action, true);
+        addTool(*m_tools, *action, true, first);
     }
+    m_tools->insertSeparator(first);
 }
 
 void MonitorPanel::setFileChooser(FileChooser chooser) {

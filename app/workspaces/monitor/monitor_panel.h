@@ -45,8 +45,8 @@ public:
     explicit MonitorPanel(Workbench& bench, QWidget* parent = nullptr, Rank rank = Rank::First);
 
     void setFileChooser(FileChooser chooser);
-    /// At the right end of the tools.
-    void addTools(const QList<QAction*>& actions);
+    /// At the left end of the tools, in words.
+    void addToolsAhead(const QList<QAction*>& actions);
     MonitorView view() const;
     /// Shown when a device is there. Signals that it does not have are left out and said in place; they stay
     /// part of view() until the user changes the plots.

@@ -33,8 +33,8 @@ void addPlotTools(QToolBar& bar, widgets::LivePlotStack& stack) {
     }
 }
 
-void addTool(QToolBar& bar, QAction& action, bool hasText) {
-    bar.addAction(&action);
+void addTool(QToolBar& bar, QAction& action, bool hasText, QAction* before) {
+    bar.insertAction(before, &action);
     auto* button = static_cast<QToolButton*>(bar.widgetForAction(&action));
     button->setAccessibleName(action.text());
     const Qt::ToolButtonStyle inWords =
