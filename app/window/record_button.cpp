@@ -29,7 +29,8 @@ RecordButton::RecordButton(Workbench& bench, QWidget* parent) : QToolButton(pare
     setIcon(widgets::themedIcon(QStringLiteral("record"), widgets::Role::Bad));
     setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     setCheckable(true);
-    setFocusPolicy(Qt::StrongFocus);
+    // Not by a click, which its key makes as well: the focus stays in the plot or field that is recorded.
+    setFocusPolicy(Qt::TabFocus);
     setFont(widgets::tabularFont(font()));
     RecordingControl& recording = m_bench.recording();
     DeviceSession& session = m_bench.session();

@@ -240,6 +240,29 @@ TEST_F(TopBarTest, recordingAndThePerspectiveOfRecordingsHaveNamesOfTheirOwn) {
     EXPECT_EQ(perspective("Record")->accessibleName(), "Perspective Record");
 }
 
+TEST_F(TopBarTest, theKeyAndTheClickThatRecordLeaveTheFocusWhereItWas) {
+    const QTemporaryDir folder;
+    open();
+    QApplication::setActiveWindow(window.get());
+    connectMotor(1.0);
+    RecordingControl& recording = window->bench().recording();
+    recording.setFolder(folder.path());
+    key(Qt::Key_1, Qt::ControlModifier);
+    QWidget* const worked = QApplication::focusWidget();
+    ASSERT_TRUE(worked != nullptr && window->docks().panel("monitor")->isAncestorOf(worked));
+    for (const bool isByKey : {true, false}) {
+        for (const bool isStart : {true, false}) {
+            if (isByKey) {
+                key(Qt::Key_R, Qt::ControlModifier);
+            } else {
+                QTest::mouseClick(inBar<RecordButton>(), Qt::LeftButton);
+            }
+            ASSERT_TRUE(wait([&] { return recording.isRecording() == isStart; }));
+            EXPECT_EQ(QApplication::focusWidget(), worked) << isByKey << isStart;
+        }
+    }
+}
+
 TEST_F(TopBarTest, aStopThatStoppedNothingSaysSo) {
     open();
     connectMotor(1.0);
