@@ -11,7 +11,7 @@ constexpr std::size_t MostValues = 20;
 constexpr double Same_ratio = 1e-3;
 constexpr double Slack_ratio = 0.02; ///< of a step: single precision and corrections of a sensor
 
-/// In rising order; empty when there are too many. A history keeps values in single precision of a block's
+/// In rising order. A history keeps values in single precision of a block's
 /// range: what lies closer together than a thousandth of all is one value.
 std::vector<double> differentValues(std::span<const control::TimedValue> samples) {
     std::vector<double> values;
@@ -28,16 +28,11 @@ std::vector<double> differentValues(std::span<const control::TimedValue> samples
     const auto end = std::unique(values.begin(), values.end(),
                                  [same](double kept, double next) { return next - kept <= same; });
     values.erase(end, values.end());
-    return values.size() > MostValues ? std::vector<double>() : values;
+    return values;
 }
 
-} // namespace
-
-std::optional<double> sensorStep(std::span<const control::TimedValue> samples) {
-    const std::vector<double> values = differentValues(samples);
-    if (values.size() < 2) {
-        return std::nullopt;
-    }
+/// The least difference of values in rising order, of which all differences are whole multiples.
+std::optional<double> commonStep(const std::vector<double>& values) {
     double step = values[1] - values[0];
     for (std::size_t i = 2; i < values.size(); ++i) {
         step = std::min(step, values[i] - values[i - 1]);
@@ -49,6 +44,36 @@ std::optional<double> sensorStep(std::span<const control::TimedValue> samples) {
         }
     }
     return step;
+}
+
+/// Up to the next sample that comes after a gap.
+std::size_t lengthWithoutGap(std::span<const control::TimedValue> samples) {
+    const auto next = std::find_if(samples.begin() + 1, samples.end(),
+                                   [](const control::TimedValue& sample) { return sample.isAfterGap; });
+    return static_cast<std::size_t>(next - samples.begin());
+}
+
+} // namespace
+
+std::optional<double> sensorStep(std::span<const control::TimedValue> samples) {
+    if (differentValues(samples).size() > MostValues) {
+        return std::nullopt;
+    }
+    std::optional<double> least;
+    while (!samples.empty()) {
+        const std::size_t length = lengthWithoutGap(samples);
+        const std::vector<double> values = differentValues(samples.first(length));
+        samples = samples.subspan(length);
+        if (values.size() < 2) {
+            continue;
+        }
+        const std::optional<double> step = values.size() > MostValues ? std::nullopt : commonStep(values);
+        if (!step) {
+            return std::nullopt;
+        }
+        least = std::min(least.value_or(*step), *step);
+    }
+    return least;
 }
 
 } // namespace halbench::widgets

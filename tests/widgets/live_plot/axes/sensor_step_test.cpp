@@ -38,5 +38,38 @@ TEST(SensorStep, smoothConstantAndMissingValuesHaveNone) {
     EXPECT_DOUBLE_EQ(sensorStep(samplesOf({nan, 1.0, 3.0})).value(), 2.0);
 }
 
+TEST(SensorStep, aJumpFromOneStreamToTheNextIsNone) {
+    std::vector<control::TimedValue> samples = samplesOf({0.0, 0.0, 0.52, 0.52, 0.52});
+    samples[2].isAfterGap = true;
+    EXPECT_FALSE(sensorStep(samples));
+    samples.back().value = 0.53; // the flicker of the new stream counts, the jump does not
+    EXPECT_NEAR(sensorStep(samples).value(), 0.01, 1e-12);
+}
+
+TEST(SensorStep, rowsOfAnEarlierStreamInAHistoryAreNoStep) {
+    control::SampleHistory history(1U << 20U);
+    const auto addStream = [&history](double value, double begin_s) {
+        auto block = std::make_shared<SampleBlock>();
+        auto layout = std::make_shared<StreamLayout>();
+        layout->columns = {{"position", "rad"}};
+        layout->period_s = 0.01;
+        block->layout = layout;
+        for (int row = 0; row < 100; ++row) {
+            block->time_s.push_back(0.01 * row);
+            block->values.push_back(value);
+        }
+        block->hostArrival_s = begin_s + 1.0;
+        history.append(*block);
+    };
+    addStream(0.0, 0.0);
+    addStream(0.52, 1.0);
+    std::vector<control::TimedValue> samples;
+    const double end_s = history.range("position")->end_s;
+    history.samples("position", {end_s - 0.5, end_s}, samples);
+    EXPECT_FALSE(sensorStep(samples));
+    history.samples("position", {0.5, end_s}, samples); // both streams
+    EXPECT_FALSE(sensorStep(samples));
+}
+
 } // namespace
 } // namespace halbench::widgets
