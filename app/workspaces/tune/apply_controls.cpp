@@ -46,10 +46,17 @@ ApplyControls::ApplyControls(Workbench& bench, const TuneSession& session, GainD
     connectParts();
 }
 
+/// Keep and Restore have their places while they are hidden too: were Apply and verify to move there when
+/// they go, the second click of a double click on Keep would start another motion.
 void ApplyControls::buildButtons() {
     m_apply = new QPushButton(this);
     m_keep = new QPushButton(this);
     m_restore = new QPushButton(this);
+    for (QPushButton* button : {m_keep, m_restore}) {
+        QSizePolicy policy = button->sizePolicy();
+        policy.setRetainSizeWhenHidden(true);
+        button->setSizePolicy(policy);
+    }
     widgets::setRole(*m_apply, widgets::Role::Primary);
     m_restore->setIcon(widgets::themedIcon(QStringLiteral("revert")));
     m_buttons = new QGridLayout;

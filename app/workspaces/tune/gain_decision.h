@@ -45,7 +45,7 @@ public:
 
     bool isApplying() const { return m_isApplying; }
     bool isUndecided() const { return !m_before.empty(); }
-    /// Not yet: Keep comes to where Apply was clicked, and the picture has to be seen first.
+    /// Not yet: the picture has to be seen first.
     bool isLooking() const { return m_look.isActive(); }
     /// Values of the device, with those that an undecided apply replaced.
     std::map<std::string, double> valuesBefore() const;

@@ -54,6 +54,26 @@ TEST_F(TuneVerificationTest, itsPictureIsLargeEnoughToJudge) {
     EXPECT_LE(picture->width(), scroll->viewport()->width());
 }
 
+// The second click of a double click must not meet another button than the first.
+TEST_F(TuneVerificationTest, noButtonMovesWhenThereIsSomethingToDecideAndWhenItIsDecided) {
+    prepare();
+    const auto frame = [this](const char* text) {
+        const QAbstractButton* found = button(panel, text);
+        return found == nullptr ? QRect() : QRect(found->mapTo(&panel, QPoint()), found->size());
+    };
+    const QRect apply = frame("Apply and verify");
+    click(panel, "Apply and verify");
+    EXPECT_EQ(frame("Apply and verify"), apply) << "while it runs";
+    ASSERT_TRUE(wait([&] { return isEnabled(panel, "Keep"); }));
+    EXPECT_EQ(frame("Apply and verify"), apply) << "while there is something to decide";
+    EXPECT_FALSE(frame("Keep").intersects(apply));
+    EXPECT_FALSE(frame("Restore").intersects(apply));
+    const QPoint keep = frame("Keep").center();
+    click(panel, "Keep");
+    EXPECT_EQ(frame("Apply and verify"), apply) << "once it is decided";
+    EXPECT_EQ(qobject_cast<QAbstractButton*>(panel.childAt(keep)), nullptr);
+}
+
 TEST_F(TuneVerificationTest, itEndsWithItsDevice) {
     prepare();
     verify();
