@@ -14578,6 +14578,34 @@ mit %1 Zeilen in der Sekunde</translation>
         <source>history</source>
         <translation>Verlauf</translation>
     </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>done, good</source>
+        <translation>fertig, gut</translation>
+    </message>
+    <message>
+        <source>done, doubtful</source>
+        <translation>fertig, zweifelhaft</translation>
+    </message>
+    <message>
+        <source>done, rejected</source>
+        <translation>fertig, abgelehnt</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>fehlgeschlagen: %1</translation>
+    </message>
+    <message>
+        <source>ended: %1</source>
+        <translation>beendet: %1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::LoopCapture</name>

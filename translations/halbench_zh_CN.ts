@@ -14572,6 +14572,34 @@ by %1 rows a second</source>
         <source>history</source>
         <translation>历史</translation>
     </message>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>done, good</source>
+        <translation>完成，良好</translation>
+    </message>
+    <message>
+        <source>done, doubtful</source>
+        <translation>完成，存疑</translation>
+    </message>
+    <message>
+        <source>done, rejected</source>
+        <translation>完成，拒绝</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>已取消</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>失败：%1</translation>
+    </message>
+    <message>
+        <source>ended: %1</source>
+        <translation>已结束：%1</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::LoopCapture</name>

@@ -29,6 +29,23 @@ enum class SessionState { Disconnected, Connecting, Connected, Reconnecting, Los
 
 enum class MessageLevel { Debug, Info, Warning, Error };
 
+/// How a procedure ended.
+struct ProcedureOutcome {
+    std::optional<Error> error;
+    std::optional<Verdict> verdict; ///< of its result, where that is judged
+};
+
+template <typename Answer>
+ProcedureOutcome outcomeOf(const Answer& answer) {
+    ProcedureOutcome outcome;
+    if (!answer) {
+        outcome.error = answer.error();
+    } else if constexpr (requires { answer->quality.verdict; }) {
+        outcome.verdict = answer->quality.verdict;
+    }
+    return outcome;
+}
+
 /// The device of the window, seen from the GUI thread: what it is, how it is, and asynchronous access to it.
 /// Nothing here waits for the device. One device and at most one procedure at a time.
 /// Thread: GUI; only stopActuator() may be called from anywhere.
@@ -111,6 +128,8 @@ public:
     bool runProcedure(const QString& name, Function function, Then then);
     /// Asks the running procedure to end through its restore path.
     void abortProcedure();
+    /// Of the procedure that ended last; valid from procedureChanged() on.
+    const ProcedureOutcome& outcome() const { return m_outcome; }
 
 Q_SIGNALS:
     void stateChanged();
@@ -162,6 +181,7 @@ private:
     ConnectionReport m_report;
     Pace m_pace;
     QString m_procedure;
+    ProcedureOutcome m_outcome;
     std::optional<Wish> m_next;  ///< connected once the present device is left
     bool m_isLeavingAll = false; ///< the held device too
     devices::ReturnTimes m_returnTimes;
@@ -233,6 +253,7 @@ bool DeviceSession::runProcedure(const QString& name, Function function, Then th
                           [this, function, then](devices::Device& device, const ProcedureObserver& observer) {
                               auto answer = std::make_shared<Answer>(function(device, observer));
                               onGui([this, answer, then] {
+                                  m_outcome = outcomeOf(*answer);
                                   endProcedureThread();
                                   then(std::move(*answer));
                               });

@@ -1,6 +1,8 @@
 #include "app/workspaces/device/log_panel.h"
 
 #include "app/documents/configuration_file.h"
+#include "app/workbench/drive_control.h"
+#include "app/workbench/drive_text.h"
 #include "app/workbench/fault_text.h"
 #include "widgets/language/display_units.h"
 #include "widgets/language/phrasebook.h"
@@ -26,6 +28,21 @@ widgets::LogLevel levelOf(MessageLevel level) {
         break;
     }
     return widgets::LogLevel::Information;
+}
+
+QString doneText(std::optional<Verdict> verdict) {
+    if (!verdict) {
+        return LogPanel::tr("done");
+    }
+    switch (*verdict) {
+    case Verdict::Good:
+        return LogPanel::tr("done, good");
+    case Verdict::Doubtful:
+        return LogPanel::tr("done, doubtful");
+    case Verdict::Refused:
+        break;
+    }
+    return LogPanel::tr("done, rejected");
 }
 
 constexpr int AllDigits = 9; ///< of a 32 bit float
@@ -56,6 +73,7 @@ LogPanel::LogPanel(Workbench& bench, QWidget* parent)
     connect(&session, &DeviceSession::reportChanged, this, &LogPanel::onReport);
     connect(&session, &DeviceSession::stateChanged, this, &LogPanel::onReport);
     connect(&session, &DeviceSession::procedureChanged, this, &LogPanel::onProcedure);
+    connect(&m_bench.drive(), &DriveControl::changed, this, &LogPanel::onDrive);
     connect(&m_bench, &Workbench::deviceChanged, this, &LogPanel::onDevice);
     connect(&m_bench, &Workbench::valuesChanged, this, &LogPanel::onValues);
     connect(&m_bench, &Workbench::historyTroubled, this, [this](const Error& error) {
@@ -91,10 +109,37 @@ void LogPanel::onProcedure() {
     const QString running = m_bench.session().procedure();
     const QString before = std::exchange(m_procedure, running);
     if (!before.isEmpty()) {
-        note(before, tr("ended"));
+        addEnd(before);
     }
     if (!running.isEmpty()) {
         note(running, tr("started"));
+    }
+}
+
+void LogPanel::addEnd(const QString& procedure) {
+    const ProcedureOutcome& outcome = m_bench.session().outcome();
+    if (outcome.error && outcome.error->code != ErrorCode::Interrupted) {
+        add(MessageLevel::Warning, procedure, tr("failed: %1").arg(widgets::inWords(outcome.error->message)));
+    } else {
+        note(procedure, outcome.error ? tr("cancelled") : doneText(outcome.verdict));
+    }
+}
+
+/// A motion by hand: a reference, or a jog. What ended it stands before its end.
+void LogPanel::onDrive() {
+    onReport();
+    const QString running = drivenWords(m_bench.drive());
+    if (running.isEmpty() == m_motion.isEmpty()) {
+        return; // the same motion, or none
+    }
+    const QString before = std::exchange(m_motion, running);
+    if (!running.isEmpty()) {
+        note(running, tr("started"));
+    } else if (m_wasLatched) {
+        note(before,
+             tr("ended: %1").arg(faultWords(m_bench.session().report().board, m_bench.stopAsker()).what));
+    } else {
+        note(before, m_wasArmed ? tr("ended") : tr("ended: %1").arg(tr("disarmed")));
     }
 }
 

@@ -30,6 +30,8 @@ private:
     void note(const QString& source, const QString& words);
     void onReport();
     void onProcedure();
+    void onDrive();
+    void addEnd(const QString& procedure);
     void onRecording();
     void onDevice();
     void onValues();
@@ -39,6 +41,7 @@ private:
     bool m_wasLatched = false;
     bool m_wasRecording = false;
     QString m_procedure;                    ///< that runs
+    QString m_motion;                       ///< that runs by hand
     std::map<std::string, double> m_values; ///< on the device, as it was told last
     widgets::LogView* m_view = nullptr;
 };
