@@ -79,7 +79,6 @@ DesignTable::DesignTable(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(widgets::PanelMargin_px);
-    column->addWidget(m_table, 1);
     auto* buttons = new QGridLayout;
     buttons->setSpacing(widgets::PanelMargin_px);
     int at = 0;
@@ -88,7 +87,9 @@ DesignTable::DesignTable(QWidget* parent)
         buttons->addWidget(button, at / InARow, at % InARow);
         ++at;
     }
-    column->addLayout(buttons);
+    column->addLayout(buttons); // messages come over the bottom
+    column->addWidget(m_table, 1);
+    setTabOrder(m_redo, m_table);
     m_remove->setIcon(widgets::themedIcon(QStringLiteral("close")));
     m_undo->setIcon(widgets::themedIcon(QStringLiteral("revert")));
     m_table->setObjectName(QStringLiteral("designs"));

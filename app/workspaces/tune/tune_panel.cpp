@@ -50,7 +50,7 @@ TunePanel::TunePanel(Workbench& bench, QWidget* parent)
     QWidget* settings = buildSettings();
     settings->setMinimumWidth(45 * fontMetrics().averageCharWidth());
     m_pages->setLoopPage(new SettingsSplitter(settings, m_predictions, m_pages));
-    (new widgets::FloatingRows(*m_pages, Qt::TopEdge, this))->addRow(*m_message);
+    (new widgets::FloatingRows(*m_pages, Qt::BottomEdge, this))->addRow(*m_message); // tabs are at the top
     connectSession();
     connectGains();
     connectDecision();

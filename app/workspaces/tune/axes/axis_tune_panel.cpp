@@ -52,7 +52,7 @@ AxisTunePanel::AxisTunePanel(Workbench& bench, QWidget* parent)
     splitter->addWidget(buildFigures());
     splitter->setStretchFactor(1, 1);
     column->addWidget(splitter, 1);
-    (new widgets::FloatingRows(*splitter, Qt::TopEdge, this))->addRow(*m_message);
+    (new widgets::FloatingRows(*splitter, Qt::BottomEdge, this))->addRow(*m_message); // tabs are at the top
     connectParts();
     refreshWords();
 }

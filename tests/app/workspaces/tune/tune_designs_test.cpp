@@ -50,6 +50,37 @@ protected:
     }
 };
 
+// A message says what is possible now: what it speaks of must be in reach.
+TEST_F(TuneDesignsTest, aMessageCoversNoButton) {
+    prepare();
+    verify();
+    click(panel, "Keep");
+    const auto* bar = panel.findChild<widgets::MessageBar*>();
+    ASSERT_TRUE(bar->isVisible());
+    const auto frameOf = [this](const QWidget& widget) {
+        return widget.visibleRegion().boundingRect().translated(widget.mapTo(&panel, QPoint()));
+    };
+    const auto covered = [&] {
+        QStringList names;
+        for (const auto* each : panel.findChildren<QAbstractButton*>()) {
+            if (each->isVisible() && !bar->isAncestorOf(each) && frameOf(*each).intersects(frameOf(*bar))) {
+                names << each->text() + each->accessibleName();
+            }
+        }
+        return names.join(", ").toStdString();
+    };
+    for (const int width_px : {panel.minimumSizeHint().width(), 720, 1100, 1600}) {
+        panel.resize(width_px, 640);
+        for (const char* page : {"Designs", "Numbers", "Disturbance", "Small step", "Verification"}) {
+            if (isEnabled(panel, page)) {
+                click(panel, page);
+            }
+            QCoreApplication::processEvents();
+            EXPECT_EQ(covered(), "") << width_px << ", " << page;
+        }
+    }
+}
+
 TEST_F(TuneDesignsTest, aKeptDesignStandsBesideTheProposedOneWithItsFiguresAndCurves) {
     EXPECT_EQ(table().rowCount(), 1);
     EXPECT_EQ(cell(0, "K_P"), "40");
