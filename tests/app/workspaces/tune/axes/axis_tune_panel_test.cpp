@@ -2,6 +2,7 @@
 #include "control/base/units.h"
 #include "tests/app/workspaces/bench_fixture.h"
 #include "tests/app/workspaces/tune/axes/axis_model_fixture.h"
+#include "widgets/controls/message_bar.h"
 
 #include <QComboBox>
 #include <QFile>
@@ -197,6 +198,24 @@ TEST_F(AxisTunePanelTest, theChosenAxisIsAppliedVerifiedAndRestored) {
     QTest::mouseClick(restore, Qt::LeftButton);
     ASSERT_TRUE(wait([&] { return shows("Previous gains restored."); }));
     EXPECT_EQ(parameter("gain.x.kp"), before);
+}
+
+TEST_F(AxisTunePanelTest, aMessageCoversNoButton) {
+    open();
+    auto* bar = panel->findChild<widgets::MessageBar*>();
+    bar->showMessage({widgets::Severity::Information, "Gains applied.", "Keep them, or restore.", {}});
+    for (const int width_px : {panel->minimumSizeHint().width(), 720, 1000, 1600}) {
+        panel->resize(width_px, 640);
+        QCoreApplication::processEvents();
+        const QRect covered(bar->mapTo(panel.get(), QPoint()), bar->size());
+        for (const auto* button : panel->findChildren<QAbstractButton*>()) {
+            if (button->isVisible() && !bar->isAncestorOf(button)) {
+                const QRect seen = button->visibleRegion().boundingRect();
+                EXPECT_FALSE(covered.intersects(seen.translated(button->mapTo(panel.get(), QPoint()))))
+                    << width_px << ", " << button->text().toStdString();
+            }
+        }
+    }
 }
 
 // Half of the mass that the model has: the steps take half of the predicted effort, which no band allows.
