@@ -109,6 +109,18 @@ double rotationSight(double x_m, double y_m, double pitch_m) {
     return std::max(outer, third);
 }
 
+PlatenReach reachFrom(const models::PlanarPose& pose, const PlatenBoard& board) {
+    PlatenReach reach;
+    reach.pose = pose;
+    const std::array<double, 2> place_m = {pose.x_m, pose.y_m};
+    const std::array<double, 2> window_m = {board.windowX_m, board.windowY_m};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        reach.low_m[axis] = std::max(place_m[axis] - WindowShare * window_m[axis], -Travel_m);
+        reach.high_m[axis] = std::min(place_m[axis] + WindowShare * window_m[axis], Travel_m);
+    }
+    return reach;
+}
+
 Result<PlatenReach> findReach(devices::Device& device, const PlatenBoard& board,
                               const ProcedureObserver& observer, bool& wasHomed) {
     const std::string homed[] = {"homed"};
@@ -145,14 +157,7 @@ Result<PlatenReach> findReach(devices::Device& device, const PlatenBoard& board,
     if (!pose) {
         return failure(pose.error());
     }
-    PlatenReach reach;
-    reach.pose = {(*pose)[0], (*pose)[1], (*pose)[2]};
-    const std::array<double, 2> window_m = {board.windowX_m, board.windowY_m};
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        reach.low_m[axis] = std::max((*pose)[axis] - WindowShare * window_m[axis], -Travel_m);
-        reach.high_m[axis] = std::min((*pose)[axis] + WindowShare * window_m[axis], Travel_m);
-    }
-    return reach;
+    return reachFrom({(*pose)[0], (*pose)[1], (*pose)[2]}, board);
 }
 
 } // namespace halbench::app

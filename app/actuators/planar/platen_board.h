@@ -55,6 +55,9 @@ struct PlatenReach {
     std::array<double, 2> low_m{}, high_m{}; ///< of x and y
 };
 
+/// The same for a platen that stands at this pose.
+PlatenReach reachFrom(const models::PlanarPose& pose, const PlatenBoard& board);
+
 /// Homes the platen when the board is not homed. Errors: Refused, of the device.
 Result<PlatenReach> findReach(devices::Device& device, const PlatenBoard& board,
                               const ProcedureObserver& observer, bool& wasHomed);

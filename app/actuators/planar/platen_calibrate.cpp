@@ -206,8 +206,8 @@ Result<void> measure(devices::Device& device, const CalibrateConfig& config,
         if (!gains) {
             return failure(gains.error());
         }
-        if (auto shown = showRotation(device, *board, observer, wasHomed); !shown) {
-            return shown;
+        if (auto moved = moveWhereRotationIsVisible(device, *board, observer, wasHomed); !moved) {
+            return moved;
         }
         if (auto pulsed = pulse(device, observer, result, compensated, samples); !pulsed) {
             return pulsed;
@@ -245,7 +245,8 @@ Result<void> checkPlatenCalibrate(const devices::Catalogue&, const CalibrateConf
 
 CalibratePrediction predictPlatenCalibrate(const CalibrateConfig& config, double) {
     const PlatenRoom room = *roomWithin({}, {-40e-3, -40e-3}, {40e-3, 40e-3}, models::MagnetMatrix{}.pitch_m);
-    constexpr double Ends_s = 1.1, Pulses_s = 6 * 0.52, Peak_A = 0.5, MeanSquare_A2 = 0.02;
+    // Of each coil its pulses and at most one way back; a platen that is brought to the middle takes longer.
+    constexpr double Ends_s = 1.1, Pulses_s = 6 * (0.2 + 0.9), Peak_A = 0.5, MeanSquare_A2 = 0.02;
     const double pulses_s = isChosen(config, Calibration::Stray) ? Pulses_s : 0.0;
     return {durationOf(calibrationLegs(room)) + Ends_s + pulses_s, Peak_A, MeanSquare_A2};
 }

@@ -162,12 +162,16 @@ MotionLeg returnLeg(const models::PlanarPose& from, const models::PlanarPose& to
                  "goes back");
 }
 
+std::array<double, 2> middleOf(const PlatenRoom& room) {
+    return {nearest(room.lines[0], 0.0), nearest(room.lines[1], 0.0)};
+}
+
 std::vector<MotionLeg> centringLegs(const PlatenRoom& room) {
     constexpr double Speed_m_s = 0.1, Speed_rad_s = 0.05;
     Itinerary itinerary(room.start);
     goToLines(itinerary, room);
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        itinerary.goTo(axis, nearest(room.lines[axis], 0.0), Speed_m_s, "goes to the middle", false);
+        itinerary.goTo(axis, middleOf(room)[axis], Speed_m_s, "goes to the middle", false);
     }
     itinerary.goTo(2, 0.0, Speed_rad_s, "turns straight", false);
     return std::move(itinerary).legs();

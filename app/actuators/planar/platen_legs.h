@@ -40,6 +40,9 @@ std::vector<MotionLeg> calibrationLegs(const PlatenRoom& room);
 /// Every axis has a line.
 std::vector<MotionLeg> centringLegs(const PlatenRoom& room);
 
+/// The line of y and the line of x nearest to the middle, where every axis has one: a place {x, y}.
+std::array<double, 2> middleOf(const PlatenRoom& room);
+
 /// Straight from one pose to another near by, all axes at once.
 MotionLeg returnLeg(const models::PlanarPose& from, const models::PlanarPose& to);
 

@@ -39,9 +39,10 @@ Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
 Result<std::vector<ParameterValue>> softenLaw(devices::Device& device);
 
 /// Brings a platen to the middle whose rotation the chips do not show where it stands: the board could not
-/// brake it between the pulses. Errors: of findReach() and recordMotion().
-Result<void> showRotation(devices::Device& device, const PlatenBoard& board,
-                          const ProcedureObserver& observer, bool& wasHomed);
+/// brake it between the pulses. Errors: Refused (no room for the motion after the pulses, nothing was armed),
+/// of findReach() and recordMotion().
+Result<void> moveWhereRotationIsVisible(devices::Device& device, const PlatenBoard& board,
+                                        const ProcedureObserver& observer, bool& wasHomed);
 
 /// Short pulses of one coil after the other in both directions, with the platen at rest before each: the
 /// field of the currents appears at the chips before anything can move. Errors: as above.

@@ -6,8 +6,8 @@
 
 namespace halbench::app {
 
-/// A platen whose turn is commanded by a step of the board, past what a move would allow: beyond 20 mrad it
-/// leans on its end stop (resources/help/planar-theory.md section 3).
+/// A platen whose turn is commanded by a step of the board itself, without the check of the travel: beyond 20
+/// mrad it leans on its end stop (resources/help/planar-theory.md section 3).
 inline void turnPlaten(devices::Device& device, double angle_rad) {
     constexpr double Held_s = 0.3, Turned_s = 1.0, Braked_s = 0.35;
     const ParameterValue step[] = {{"window.phi", 0.04},

@@ -193,6 +193,34 @@ TEST(PlatenCalibrate, beginsAnywhereOnTheLattice) {
     }
 }
 
+// Before the first pulse: what follows the pulses needs the room.
+TEST(PlatenCalibrate, refusesAPlatenWithoutRoomBeforeAnythingIsArmed) {
+    for (const Calibration which : {Calibration::Stray, Calibration::Hall}) {
+        for (const std::string query : {"seed=1&x0_mm=19&y0_mm=2", "seed=4&crosstalk=1&x0_mm=0&y0_mm=6.35",
+                                        "seed=463&x0_mm=18&y0_mm=-6.35"}) {
+            const auto device = openPlaten(query);
+            ASSERT_NE(device, nullptr);
+            const ParameterValue window[] = {{"window.x", 0.02}};
+            ASSERT_TRUE(device->writeParameters(window));
+            bool wasExcited = false;
+            ProcedureObserver observer;
+            observer.onState = [&](ProcedureState state) {
+                wasExcited = wasExcited || state == ProcedureState::Excite || device->state().isArmed;
+            };
+            CalibrateConfig config;
+            config.which = {which};
+            const auto result = actuatorOf("planar").calibrate.run(*device, config, observer);
+            ASSERT_FALSE(result) << query;
+            EXPECT_EQ(result.error().code, ErrorCode::Refused) << query << result.error().message;
+            EXPECT_NE(result.error().message.find("no room for a pitch"), std::string::npos)
+                << result.error().message;
+            EXPECT_FALSE(wasExcited) << query;
+            const std::vector<std::string> status = {"truth.speed.x"};
+            EXPECT_LT(std::fabs(device->readSignals(status)->front()), 0.05); // it glides, nothing pushed it
+        }
+    }
+}
+
 TEST(PlatenCalibrate, refusesStaticFrictionAndAMotorsProcedure) {
     const auto device = openPlaten("");
     ASSERT_NE(device, nullptr);
