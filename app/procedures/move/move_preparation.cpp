@@ -154,6 +154,8 @@ Result<std::optional<AxisTravel>> travelNow(devices::Device& device, const devic
 
 /// From where the axes stand now the reference leads none beyond the end of its travel.
 Result<void> checkEnds(devices::Device& device, const MoveConfig& config, const MoveTask& task) {
+    // A ramp goes on until the last rows have come and the board has braked.
+    constexpr double RunOn_s = 0.05;
     std::vector<devices::AxisSpec> moved = {task.axis};
     for (const PartnerAxis& partner : task.partners) {
         moved.push_back(partner.axis);
@@ -171,7 +173,7 @@ Result<void> checkEnds(devices::Device& device, const MoveConfig& config, const 
         if (isTable(config.reference)) {
             continue;
         }
-        const control::PathSpan span = referenceSpan(config.reference, config.duration_s, i);
+        const control::PathSpan span = referenceSpan(config.reference, config.duration_s + RunOn_s, i);
         if (auto within = checkReferenceEnds(**travel, moved[i].positionUnit, span); !within) {
             return within;
         }

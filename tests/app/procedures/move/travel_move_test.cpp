@@ -130,16 +130,18 @@ TEST(TravelMove, noReferenceLeadsBeyondTheEndOfTheTravel) {
         EXPECT_FALSE(device->state().isArmed);
         return result ? std::string() : result.error().message;
     };
-    for (const auto& [axis, reference] : {std::pair<std::string, std::string>{"x", "step,amplitude_mm=48"},
-                                          {"y", "step,amplitude_mm=-44"},
-                                          {"phi", "step,amplitude_mrad=25"},
-                                          {"phi", "sine,amplitude_mrad=21,frequency_hz=0.2"},
-                                          {"x", "s-curve,amplitude_mm=44" + Limits},
-                                          {"y", "staircase,amplitude_mm=-9,period_s=0.1,count=5"},
-                                          {"x", "ramp,rate_mm_s=45"},
-                                          {"", "line,length_mm=45,heading_deg=0" + Limits},
-                                          {"", "raster,width_mm=2,lines=3,pitch_mm=-23" + Limits},
-                                          {"", "circle,radius_mm=22.5" + Limits}}) {
+    for (const auto& [axis, reference] :
+         {std::pair<std::string, std::string>{"x", "step,amplitude_mm=48"},
+          {"y", "step,amplitude_mm=-44"},
+          {"phi", "step,amplitude_mrad=25"},
+          {"phi", "sine,amplitude_mrad=21,frequency_hz=0.2"},
+          {"x", "s-curve,amplitude_mm=44" + Limits},
+          {"y", "staircase,amplitude_mm=-9,period_s=0.1,count=5"},
+          {"x", "ramp,rate_mm_s=45"},
+          {"phi", "ramp,rate_mrad_s=19.5"}, // a second of it, and it goes on for 30 ms and brakes
+          {"", "line,length_mm=45,heading_deg=0" + Limits},
+          {"", "raster,width_mm=2,lines=3,pitch_mm=-23" + Limits},
+          {"", "circle,radius_mm=22.5" + Limits}}) {
         EXPECT_NE(errorOf(axis, reference).find("its travel ends at"), std::string::npos)
             << axis << " " << reference << ": " << errorOf(axis, reference);
     }
