@@ -401,14 +401,15 @@ Result<CalibrationFit> calibrate(const SphericalCalibration& nominal,
         if (auto settled = settle(problem, config, fit, moved, reduced); !settled) {
             return failure(settled.error());
         }
-        if (problem.reorient(fit.calibration, reduced) == 0) {
-            break;
+        if (round + 1 == Rounds || problem.reorient(fit.calibration, reduced) == 0) {
+            break; // what was turned last is settled
         }
         reduced = problem.reduced(fit.calibration, moved);
     }
     const std::vector<std::size_t> strange = strangeSamples(reduced.misfit);
     fit.strange = strange.size();
-    if (!strange.empty() && problem.leaveOut(strange)) {
+    fit.isStrangeLeftOut = !strange.empty() && problem.leaveOut(strange);
+    if (fit.isStrangeLeftOut) {
         reduced = problem.reduced(fit.calibration, moved);
         if (auto settled = settle(problem, config, fit, moved, reduced); !settled) {
             return failure(settled.error());

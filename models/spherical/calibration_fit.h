@@ -40,6 +40,7 @@ struct CalibrationFit {
     /// Samples whose readings still lie far beyond the scatter of the others, each more than eight times
     /// their median chi-square.
     std::size_t strange = 0;
+    bool isStrangeLeftOut = false;
     /// What these data cannot tell, one sentence each: the common scale of all gains beside q; a common
     /// rotation of the stator frame when places are fitted without known orientations.
     std::vector<std::string> notes;
