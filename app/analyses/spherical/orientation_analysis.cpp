@@ -74,7 +74,8 @@ Result<void> checkTensorSettings(const AnalysisValues& values, models::Estimator
     const std::string harmonics = values.text("harmonics");
     const std::pair<const char*, bool> given[] = {{"--stray", values.isSet("stray")},
                                                   {"--passes", values.number("passes").has_value()},
-                                                  {"--harmonics", !harmonics.empty() && harmonics != "none"}};
+                                                  {"--harmonics", !harmonics.empty() && harmonics != "none"},
+                                                  {"--known-strength", values.isSet("known_strength")}};
     for (const auto& [option, isGiven] : given) {
         if (isGiven) {
             return failure(

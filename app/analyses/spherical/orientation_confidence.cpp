@@ -67,11 +67,13 @@ std::vector<AnalysisKey> confidenceKeys() {
 Result<OrientationConfidence> OrientationConfidence::make(const AnalysisValues& values,
                                                           const PlacementChoice& choice) {
     if (const std::string path = values.text("calibration"); !path.empty()) {
-        if (!values.text("placement").empty() || !values.text("harmonics").empty()) {
-            return failure(ErrorCode::Usage,
-                           "a calibration says itself where the sensors are and which "
-                           "harmonics the field has",
-                           "leave --placement and --harmonics out");
+        if (!values.text("placement").empty() || !values.text("harmonics").empty() ||
+            !values.text("frames").empty() || values.number("radius_mm") || values.number("q_T")) {
+            return failure(
+                ErrorCode::Usage,
+                "a calibration says itself where the sensors are, how strong the field is and which "
+                "harmonics it has",
+                "leave --placement, --frames, --radius-mm, --q-T and --harmonics out");
         }
         const Result<SensingBoard> board = calibratedBoard(values, path);
         if (!board) {

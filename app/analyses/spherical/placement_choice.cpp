@@ -212,7 +212,10 @@ Result<models::PlacementDevice> deviceChoice(const AnalysisValues& values) {
         if (!file) {
             return failure(file.error());
         }
+        const double ownStrength_T = device.strength_T;
         device = file->device;
+        // The strength is that of a rotor: of the one that is there, not of the one that was planned for.
+        device.strength_T = values.device ? ownStrength_T : device.strength_T;
     }
     if (const std::string kind = values.text("device"); !kind.empty()) {
         device.device = static_cast<models::SphericalDevice>(choiceIndex(models::SphericalDeviceNames, kind));
