@@ -10678,6 +10678,26 @@
         <source>Name columns in degrees alpha_deg, beta_deg, gamma_deg.</source>
         <translation>Nennen Sie Spalten in Grad alpha_deg, beta_deg, gamma_deg.</translation>
     </message>
+    <message>
+        <source>fault of chip {}</source>
+        <translation>Fehler von Chip {}</translation>
+    </message>
+    <message>
+        <source>time after which chips have their faults</source>
+        <translation>Zeit, nach der die Chips ihre Fehler haben</translation>
+    </message>
+    <message>
+        <source>model of the coils' forces, section 5</source>
+        <translation>Modell der Spulenkräfte, Abschnitt 5</translation>
+    </message>
+    <message>
+        <source>Widen window.x and window.y. The platen stands in the middle now; nothing was changed.</source>
+        <translation>Erweitern Sie window.x und window.y. Die Platte steht jetzt in der Mitte; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Write tilts within a turn.</source>
+        <translation>Schreiben Sie Neigungen innerhalb einer Umdrehung.</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

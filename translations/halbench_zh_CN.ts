@@ -10678,6 +10678,26 @@
         <source>Name columns in degrees alpha_deg, beta_deg, gamma_deg.</source>
         <translation>以度为单位的列请命名为 alpha_deg、beta_deg、gamma_deg。</translation>
     </message>
+    <message>
+        <source>fault of chip {}</source>
+        <translation>芯片 {} 的故障</translation>
+    </message>
+    <message>
+        <source>time after which chips have their faults</source>
+        <translation>芯片出现故障前的时间</translation>
+    </message>
+    <message>
+        <source>model of the coils' forces, section 5</source>
+        <translation>线圈力模型，第 5 节</translation>
+    </message>
+    <message>
+        <source>Widen window.x and window.y. The platen stands in the middle now; nothing was changed.</source>
+        <translation>请加宽 window.x 和 window.y。动子现在位于中间；未作任何更改。</translation>
+    </message>
+    <message>
+        <source>Write tilts within a turn.</source>
+        <translation>请把倾角写在一圈以内。</translation>
+    </message>
 </context>
 <context>
     <name>halbench::app::ArmButton</name>

@@ -321,6 +321,7 @@ constexpr const char* Table[] = {
     QT_TRANSLATE_NOOP("Phrases", "{}: value {} is not a number"),
     QT_TRANSLATE_NOOP("Phrases", "{}: {} is {} rad, more than a turn"),
     QT_TRANSLATE_NOOP("Phrases", "Name columns in degrees alpha_deg, beta_deg, gamma_deg."),
+    QT_TRANSLATE_NOOP("Phrases", "Write tilts within a turn."),
     QT_TRANSLATE_NOOP("Phrases", "cannot read the poses '{}'"),
     QT_TRANSLATE_NOOP("Phrases", "{}:1: not the columns of a motion"),
     QT_TRANSLATE_NOOP("Phrases", "{}: the time does not increase"),

@@ -46,13 +46,14 @@ Result<std::array<double, 4>> rowOf(const std::string& line, const std::string& 
 
 /// A rotor tilts by less than a turn; only its spin may count on. Degrees under a name in radians would move
 /// it around many times between two rows.
-Result<void> checkTilt(const models::OrientationAngles& angles, const std::string& place) {
+Result<void> checkTilt(const models::OrientationAngles& angles, bool isRadian, const std::string& place) {
     for (const auto& [name, angle_rad] :
          {std::pair{"alpha", angles.alpha_rad}, std::pair{"beta", angles.beta_rad}}) {
         if (std::fabs(angle_rad) > 2.0 * Pi) {
             return failure(ErrorCode::InvalidInput,
                            fmt::format("{}: {} is {:.4g} rad, more than a turn", place, name, angle_rad),
-                           "Name columns in degrees alpha_deg, beta_deg, gamma_deg.");
+                           isRadian ? "Name columns in degrees alpha_deg, beta_deg, gamma_deg."
+                                    : "Write tilts within a turn.");
         }
     }
     return {};
@@ -87,7 +88,7 @@ Result<std::vector<models::TimedOrientation>> readPoseTable(const std::string& p
         }
         const models::OrientationAngles angles = {toRadian * (*row)[1], toRadian * (*row)[2],
                                                   toRadian * (*row)[3]};
-        if (auto possible = checkTilt(angles, place); !possible) {
+        if (auto possible = checkTilt(angles, isRadian, place); !possible) {
             return failure(possible.error());
         }
         poses.push_back({(*row)[0], angles});
