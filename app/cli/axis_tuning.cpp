@@ -29,7 +29,7 @@ namespace {
 
 constexpr const char* NotOfAxes = "does not belong to the model of several axes";
 
-/// What needs a motor, or is drawn of one loop.
+/// What needs a motor.
 Result<void> refuseForAxes(const TuneOptions& options) {
     return refuseGiven({{"--relay", !options.design.relayFile.empty()},
                         {"--calibration", !options.calibrationFile.empty()},
@@ -121,7 +121,7 @@ Result<AxisWork> workOf(CommandContext& context, const AxisModelFile& model, con
     return work;
 }
 
-/// Gains that are to run on a device are for its sampling period, or the user said a word.
+/// Gains that are to run on a device are for its sampling period, unless with --foreign-model.
 Result<void> admitGains(const TuneOptions& options, const AxisLaws& laws, const AxisWork& work) {
     const bool isAsked = !options.applyDevice.empty() && !options.takesForeignModel;
     for (std::size_t i = 0; i < work.axes.size() && isAsked; ++i) {
