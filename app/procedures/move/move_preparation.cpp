@@ -137,19 +137,14 @@ Result<MoveTask> tableTask(devices::Device& device, const MoveConfig& config) {
     return kept ? Result<MoveTask>(std::move(task)) : failure(kept.error());
 }
 
-/// Where an axis that moves stands, and its travel; nothing of an axis without ends.
-Result<std::optional<AxisTravel>> travelNow(devices::Device& device, const devices::AxisSpec& axis) {
-    const devices::Catalogue& catalogue = device.catalogue();
-    const auto travel = travelOf(catalogue, axis);
-    if (!travel) {
-        return std::optional<AxisTravel>();
-    }
-    const std::string names[] = {signalOf(catalogue, axis.roles.position)};
+/// Where an axis stands that moves within its travel.
+Result<AxisTravel> travelNow(devices::Device& device, const devices::AxisSpec& axis, double travel) {
+    const std::string names[] = {signalOf(device.catalogue(), axis.roles.position)};
     const auto position = device.readSignals(names);
     if (!position) {
         return failure(position.error());
     }
-    return std::optional(AxisTravel{axis.id, *travel, position->front()});
+    return AxisTravel{axis.id, travel, position->front()};
 }
 
 /// From where the axes stand now the reference leads none beyond the end of its travel.
@@ -162,19 +157,20 @@ Result<void> checkEnds(devices::Device& device, const MoveConfig& config, const 
     }
     std::vector<AxisTravel> ends;
     for (std::size_t i = 0; i < moved.size(); ++i) {
-        const auto travel = travelNow(device, moved[i]);
-        if (!travel) {
-            return failure(travel.error());
-        }
-        if (!*travel) {
+        const auto travel = travelOf(device.catalogue(), moved[i]);
+        if (!travel) { // without ends
             continue;
         }
-        ends.push_back(**travel);
+        auto now = travelNow(device, moved[i], *travel);
+        if (!now) {
+            return failure(now.error());
+        }
+        ends.push_back(*std::move(now));
         if (isTable(config.reference)) {
             continue;
         }
         const control::PathSpan span = referenceSpan(config.reference, config.duration_s + RunOn_s, i);
-        if (auto within = checkReferenceEnds(**travel, moved[i].positionUnit, span); !within) {
+        if (auto within = checkReferenceEnds(ends.back(), moved[i].positionUnit, span); !within) {
             return within;
         }
     }
