@@ -10691,8 +10691,8 @@
         <translation>Modell der Spulenkräfte, Abschnitt 5</translation>
     </message>
     <message>
-        <source>Widen window.x and window.y. The platen stands in the middle now; nothing was changed.</source>
-        <translation>Erweitern Sie window.x und window.y. Die Platte steht jetzt in der Mitte; nichts wurde geändert.</translation>
+        <source>Widen window.x and window.y. The platen was moved; nothing was changed.</source>
+        <translation>Erweitern Sie window.x und window.y. Die Platte wurde bewegt; nichts wurde geändert.</translation>
     </message>
     <message>
         <source>Write tilts within a turn.</source>

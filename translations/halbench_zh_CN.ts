@@ -10691,8 +10691,8 @@
         <translation>线圈力模型，第 5 节</translation>
     </message>
     <message>
-        <source>Widen window.x and window.y. The platen stands in the middle now; nothing was changed.</source>
-        <translation>请加宽 window.x 和 window.y。动子现在位于中间；未作任何更改。</translation>
+        <source>Widen window.x and window.y. The platen was moved; nothing was changed.</source>
+        <translation>请加宽 window.x 和 window.y。动子已移动；未作任何更改。</translation>
     </message>
     <message>
         <source>Write tilts within a turn.</source>

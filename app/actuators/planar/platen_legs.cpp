@@ -162,18 +162,38 @@ MotionLeg returnLeg(const models::PlanarPose& from, const models::PlanarPose& to
                  "goes back");
 }
 
-std::array<double, 2> middleOf(const PlatenRoom& room) {
+std::array<double, 2> nearestLines(const PlatenRoom& room) {
+    return {nearest(room.lines[0], room.start.x_m), nearest(room.lines[1], room.start.y_m)};
+}
+
+std::array<double, 2> middleLines(const PlatenRoom& room) {
     return {nearest(room.lines[0], 0.0), nearest(room.lines[1], 0.0)};
 }
 
+namespace {
+
+void turnStraight(Itinerary& itinerary) {
+    constexpr double Speed_rad_s = 0.05;
+    itinerary.goTo(2, 0.0, Speed_rad_s, "turns straight", false);
+}
+
+} // namespace
+
+std::vector<MotionLeg> straighteningLegs(const PlatenRoom& room) {
+    Itinerary itinerary(room.start);
+    goToLines(itinerary, room);
+    turnStraight(itinerary);
+    return std::move(itinerary).legs();
+}
+
 std::vector<MotionLeg> centringLegs(const PlatenRoom& room) {
-    constexpr double Speed_m_s = 0.1, Speed_rad_s = 0.05;
+    constexpr double Speed_m_s = 0.1;
     Itinerary itinerary(room.start);
     goToLines(itinerary, room);
     for (std::size_t axis = 0; axis < 2; ++axis) {
-        itinerary.goTo(axis, middleOf(room)[axis], Speed_m_s, "goes to the middle", false);
+        itinerary.goTo(axis, middleLines(room)[axis], Speed_m_s, "goes to the middle", false);
     }
-    itinerary.goTo(2, 0.0, Speed_rad_s, "turns straight", false);
+    turnStraight(itinerary);
     return std::move(itinerary).legs();
 }
 

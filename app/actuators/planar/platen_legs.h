@@ -35,13 +35,15 @@ std::vector<MotionLeg> identificationLegs(const PlatenRoom& room);
 /// Slow travels over the room on lines of y and of x, with the platen turned a little either way.
 std::vector<MotionLeg> calibrationLegs(const PlatenRoom& room);
 
-/// To the lines nearest to the middle, over the nearest ones, and there turned to zero: off the lines the
-/// rotation that chips show without calibration can be wrong by more than there is between the end stops.
-/// Every axis has a line.
-std::vector<MotionLeg> centringLegs(const PlatenRoom& room);
+/// Place {x, y} where a line of y crosses one of x: nearest to where the platen stands, nearest to the
+/// middle. Every axis has a line.
+std::array<double, 2> nearestLines(const PlatenRoom& room);
+std::array<double, 2> middleLines(const PlatenRoom& room);
 
-/// The line of y and the line of x nearest to the middle, where every axis has one: a place {x, y}.
-std::array<double, 2> middleOf(const PlatenRoom& room);
+/// To those lines, and there turned to zero: off the lines the rotation that chips show without calibration
+/// can be wrong by more than there is between the end stops.
+std::vector<MotionLeg> straighteningLegs(const PlatenRoom& room);
+std::vector<MotionLeg> centringLegs(const PlatenRoom& room);
 
 /// Straight from one pose to another near by, all axes at once.
 MotionLeg returnLeg(const models::PlanarPose& from, const models::PlanarPose& to);

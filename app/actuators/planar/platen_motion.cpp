@@ -379,29 +379,40 @@ Result<PlatenRoom> roomAt(const PlatenReach& reach, const PlatenBoard& board) {
     return roomWithin(reach.pose, reach.low_m, reach.high_m, board.geometry.matrix.pitch_m);
 }
 
-/// The lines over which a platen comes to the middle. Errors: Refused, where an axis has no line or the
-/// window allows no pitch there either: before anything is armed.
-Result<PlatenRoom> wayToMiddle(const PlatenReach& reach, const PlatenBoard& board) {
-    const PlatenRoom lines =
-        linesWithin(reach.pose, reach.low_m, reach.high_m, board.geometry.matrix.pitch_m);
-    if (lines.lines[0].empty() || lines.lines[1].empty()) {
-        return roomAt(reach, board); // says so
+/// Lines, and the legs over them to where a platen has room and shows its rotation.
+struct WayToRoom {
+    PlatenRoom lines;
+    LegPlan plan = straighteningLegs;
+};
+
+/// To the nearest lines, or to the middle where those leave no room. Errors: Refused, where an axis has no
+/// line or the window allows no pitch in the middle either: before anything is armed.
+Result<WayToRoom> wayToRoom(const PlatenReach& reach, const PlatenBoard& board) {
+    WayToRoom way{linesWithin(reach.pose, reach.low_m, reach.high_m, board.geometry.matrix.pitch_m)};
+    if (way.lines.lines[0].empty() || way.lines.lines[1].empty()) {
+        return failure(roomAt(reach, board).error());
     }
-    const std::array<double, 2> middle_m = middleOf(lines);
-    const auto room = roomAt(reachFrom({middle_m[0], middle_m[1], 0.0}, board), board);
-    return room ? Result<PlatenRoom>(lines) : failure(room.error());
+    const auto roomOn = [&board](const std::array<double, 2>& place_m) {
+        return roomAt(reachFrom({place_m[0], place_m[1], 0.0}, board), board);
+    };
+    if (roomOn(nearestLines(way.lines))) {
+        return way;
+    }
+    way.plan = centringLegs;
+    const auto middle = roomOn(middleLines(way.lines));
+    return middle ? Result<WayToRoom>(way) : failure(middle.error());
 }
 
-Result<void> moveToMiddle(devices::Device& device, const PlatenBoard& board,
-                          const ProcedureObserver& observer, const PlatenReach& reach) {
-    const auto lines = wayToMiddle(reach, board);
-    if (!lines) {
-        return failure(lines.error());
+Result<void> goToRoom(devices::Device& device, const PlatenBoard& board, const ProcedureObserver& observer,
+                      const PlatenReach& reach) {
+    const auto way = wayToRoom(reach, board);
+    if (!way) {
+        return failure(way.error());
     }
     ProcedureObserver quiet = observer;
     quiet.onState = nullptr; // part of the preparation
-    const auto centred = recordMotion(device, board, *lines, centringLegs, quiet);
-    return centred ? Result<void>() : failure(centred.error());
+    const auto moved = recordMotion(device, board, way->lines, way->plan, quiet);
+    return moved ? Result<void>() : failure(moved.error());
 }
 
 } // namespace
@@ -438,11 +449,13 @@ Result<void> moveWhereRotationIsVisible(devices::Device& device, const PlatenBoa
         return failure(reach.error());
     }
     if (!isRotationVisible(reach->pose, board)) {
-        return moveToMiddle(device, board, observer, *reach);
+        return goToRoom(device, board, observer, *reach);
     }
     // What follows the pulses needs room: without any nothing is armed.
-    const auto room = roomAt(*reach, board);
-    const auto way = room ? room : wayToMiddle(*reach, board);
+    if (roomAt(*reach, board)) {
+        return {};
+    }
+    const auto way = wayToRoom(*reach, board);
     return way ? Result<void>() : failure(way.error());
 }
 
@@ -459,17 +472,17 @@ Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
     if (room && std::fabs(room->start.angle_rad) <= Farthest_rad && isRotationVisible(room->start, board)) {
         return room;
     }
-    if (auto centred = moveToMiddle(device, board, observer, *reach); !centred) {
-        return failure(centred.error());
+    if (auto moved = goToRoom(device, board, observer, *reach); !moved) {
+        return failure(moved.error());
     }
     const auto now = findReach(device, board, observer, isHomed);
-    auto middle = now ? roomAt(*now, board) : Result<PlatenRoom>(failure(now.error()));
-    if (!middle && middle.error().code == ErrorCode::Refused) {
-        Error error = middle.error();
-        error.hint = "Widen window.x and window.y. The platen stands in the middle now; nothing was changed.";
+    auto there = now ? roomAt(*now, board) : Result<PlatenRoom>(failure(now.error()));
+    if (!there && there.error().code == ErrorCode::Refused) {
+        Error error = there.error();
+        error.hint = "Widen window.x and window.y. The platen was moved; nothing was changed.";
         return failure(std::move(error));
     }
-    return middle;
+    return there;
 }
 
 Result<PlatenMotion> recordPulses(devices::Device& device, const PlatenBoard& board,

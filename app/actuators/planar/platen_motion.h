@@ -28,8 +28,8 @@ Result<PlatenMotion> recordMotion(devices::Device& device, const PlatenBoard& bo
 
 /// The place of the platen and the travel around it; homes it when the board is not homed. A platen that has
 /// no room where it stands, leans on its end stop in angle, or stands where chips without calibration do not
-/// show its rotation is brought to the middle first. Errors: Refused (no room there either), of
-/// recordMotion().
+/// show its rotation is brought to lines with room first, the nearest or those of the middle. Errors: Refused
+/// (no room there either), of recordMotion().
 Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
                             const ProcedureObserver& observer, bool& wasHomed);
 
@@ -38,9 +38,9 @@ Result<PlatenRoom> findRoom(devices::Device& device, const PlatenBoard& board,
 /// compensated yet. Errors: of the device.
 Result<std::vector<ParameterValue>> softenLaw(devices::Device& device);
 
-/// Brings a platen to the middle whose rotation the chips do not show where it stands: the board could not
-/// brake it between the pulses. Errors: Refused (no room for the motion after the pulses, nothing was armed),
-/// of findReach() and recordMotion().
+/// Brings a platen to lines with room whose rotation the chips do not show where it stands: the board could
+/// not brake it between the pulses. Errors: Refused (no room for the motion after the pulses, nothing was
+/// armed), of findReach() and recordMotion().
 Result<void> moveWhereRotationIsVisible(devices::Device& device, const PlatenBoard& board,
                                         const ProcedureObserver& observer, bool& wasHomed);
 
