@@ -82,7 +82,7 @@ function(halbench_test name)
   endif()
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE halbench_options halbench_expected halbench_test_options ${ARG_DEPENDS}
-    GTest::gmock GTest::gtest_main)
+    halbench_test_main GTest::gmock)
   if(ARG_PRECOMPILED)
     target_precompile_headers(test_${name} REUSE_FROM precompiled_tests_${ARG_PRECOMPILED})
   endif()
