@@ -2,6 +2,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/documents/result_header.h"
+#include "control/base/matrix_blocks.h"
 
 #include <QtCore/QLocale>
 
@@ -56,6 +57,7 @@ CommandResult runArguments(const std::vector<std::string>& arguments, Console& c
 
 int runProgram(const std::vector<std::string>& arguments, const std::atomic<int>& interruptSignal) noexcept {
     try {
+        fixMatrixBlocks();
         QLocale::setDefault(QLocale::c()); // titles of pictures hold numbers: no comma where the user has one
         Console console(styleFromArguments(arguments));
         CommandResult result = failure(ErrorCode::Internal, "nothing ran");

@@ -1,10 +1,8 @@
 #include "app/cli/program.h"
 #include "app/headless/interrupt.h"
 #include "app/window/window_program.h"
-#include "control/base/matrix_blocks.h"
 
 int main(int count, char** words) {
-    halbench::fixMatrixBlocks();
     const std::vector<std::string> arguments(words + 1, words + count);
     if (halbench::app::isWindowCall(arguments)) {
         return halbench::app::runWindow(arguments);

@@ -4,6 +4,7 @@
 #include "app/window/main_window.h"
 #include "app/window/preferences/language.h"
 #include "app/window/window_application.h"
+#include "control/base/matrix_blocks.h"
 #include "widgets/theme/theme_style.h"
 
 #include <QApplication>
@@ -79,6 +80,7 @@ int runWindow(const std::vector<std::string>& arguments) {
             "there is no display to open the window on; run it on a desktop, or see 'halbench --help' "
             "for what works without one");
     }
+    fixMatrixBlocks();
     qputenv("QT_XCB_GL_INTEGRATION", "none"); // raster only: quicker to start, smaller
     QCoreApplication::setOrganizationName("Halbench");
     QCoreApplication::setApplicationName("halbench");
