@@ -66,6 +66,14 @@ Reply<bool> XcpLink::receive(double timeout_s) {
     return *received;
 }
 
+/// What came in time is taken, though a busy computer looks late: only what the board did not send is its
+/// silence. `until_s`: set by the first look, so that a flood of packets ends.
+Reply<bool> XcpLink::lookLate(std::optional<double>& until_s) {
+    const double now_s = m_transport->now_s();
+    until_s = until_s.value_or(now_s + MaxDrain_s);
+    return now_s > *until_s ? Reply<bool>(false) : receive(0.0);
+}
+
 double XcpLink::patience_s(double deadline_s) const {
     const double left_s = deadline_s - m_transport->now_s();
     return m_orders ? std::min(left_s, OrderPeriod_s) : left_s;
@@ -153,19 +161,21 @@ Reply<Packet> XcpLink::nextResponse(std::uint8_t command) {
 
 Reply<Packet> XcpLink::awaitAnswer(std::uint8_t command, double deadline_s) {
     const double start_s = m_transport->now_s();
+    std::optional<double> lateUntil_s;
     m_isPending = false;
     for (;;) {
         if (std::optional<Trouble> overtaken = obeyOrders()) {
             return tl::unexpected(*std::move(overtaken));
         }
-        if (m_transport->now_s() >= deadline_s) {
+        const bool isOver = m_transport->now_s() >= deadline_s; // before the look: see lookLate()
+        const Reply<bool> received = isOver ? lookLate(lateUntil_s) : receive(patience_s(deadline_s));
+        if (!received) {
+            return tl::unexpected(received.error());
+        }
+        if (!*received && isOver) {
             return tl::unexpected(trouble(
                 TroubleCause::Timeout, ErrorCode::DeviceLost,
                 fmt::format("{} does not answer {}", m_transport->description(), commandName(command))));
-        }
-        const Reply<bool> received = receive(patience_s(deadline_s));
-        if (!received) {
-            return tl::unexpected(received.error());
         }
         if (!*received) {
             continue;
@@ -320,15 +330,20 @@ Result<bool> XcpLink::awaitSynchronised(double deadline_s) {
     const Packet command = CommandEncoder().plain(Command::Synch);
     int sent = 1;
     int answered = 0;
-    while (answered < sent && m_transport->now_s() < deadline_s) {
+    std::optional<double> lateUntil_s;
+    while (answered < sent) {
+        const bool isOver = m_transport->now_s() >= deadline_s;
         const bool isDue = m_stopRepeats > 0 && m_transport->now_s() >= m_stopSent_s + StopPeriod_s;
         if (obeyStop() || (isDue && m_stopRepeats-- > 0 && sendStop())) {
             (void)sendNow(command); // a link that is gone shows in receive()
             ++sent;
         }
-        const Reply<bool> received = receive(patience_s(deadline_s));
+        const Reply<bool> received = isOver ? lookLate(lateUntil_s) : receive(patience_s(deadline_s));
         if (!received) {
             return failure(received.error().error);
+        }
+        if (!*received && isOver) {
+            break;
         }
         if (!*received) {
             continue;

@@ -115,6 +115,7 @@ private:
     std::uint64_t troublesSeen() const;
     Reply<Packet> awaitAnswer(std::uint8_t command, double deadline_s);
     Reply<bool> receive(double timeout_s);
+    Reply<bool> lookLate(std::optional<double>& until_s);
     Result<void> sendNow(const Packet& command);
     bool obeyStop();
     std::optional<Trouble> obeyOrders();
