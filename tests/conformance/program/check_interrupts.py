@@ -51,6 +51,14 @@ class BoardCase(ProgramCase):
         self.assertFalse(os.path.exists(self.path(name + ".partial")))
         return len(rows)
 
+    def await_octets(self, name, octets=1_000):
+        """The recording runs: so much of it is in its partial file, however long a busy machine takes to get there."""
+        partial = self.path(name + ".partial")
+        until = time.monotonic() + 60
+        while not (os.path.exists(partial) and os.path.getsize(partial) > octets):
+            self.assertLess(time.monotonic(), until, f"{partial} does not grow")
+            time.sleep(0.02)
+
 
 class Killed(BoardCase):
     """SIGKILL in mid-recording: what had arrived is in the partial file."""
@@ -58,9 +66,7 @@ class Killed(BoardCase):
     def kill(self, name, *arguments):
         process = self.start_program(*arguments, "--realtime")
         partial = self.path(name + ".partial")
-        until = time.monotonic() + 10
-        while time.monotonic() < until and not (os.path.exists(partial) and os.path.getsize(partial) > 20_000):
-            time.sleep(0.02)
+        self.await_octets(name, 20_000)
         process.kill()
         process.communicate()
         self.assertEqual(process.returncode, -signal.SIGKILL)
@@ -96,9 +102,12 @@ class Killed(BoardCase):
 
 
 class Interrupts(BoardCase):
-    def interrupt(self, number, after_s, *arguments):
+    def interrupt(self, number, after_s, *arguments, recording=None):
         process = self.start_program(*arguments)
-        time.sleep(after_s)
+        if recording:
+            self.await_octets(recording)
+        else:
+            time.sleep(after_s)
         self.assertIsNone(process.poll(), f"{arguments} ended before the signal")
         process.send_signal(number)
         began = time.monotonic()
@@ -109,8 +118,8 @@ class Interrupts(BoardCase):
     def test_recording_ends_without_its_name_and_says_where_the_rows_are(self):
         for number, code in SIGNALS:
             name = f"f{code}.csv"
-            ended, _, err = self.interrupt(number, 0.7, "record", "sim:htm", "--realtime", "--duration", "30", "--out",
-                                           name)
+            ended, _, err = self.interrupt(number, None, "record", "sim:htm", "--realtime", "--duration", "30", "--out",
+                                           name, recording=name)
             self.assertEqual(ended, code, err)
             self.assertRegex(err.strip(), rf"\A[^\n]*'{name}\.partial', halbench convert[^\n]*\Z")
             self.assertFalse(os.path.exists(self.path(name)))
@@ -158,7 +167,7 @@ class Interrupts(BoardCase):
                                    cwd=self.folder, stderr=subprocess.PIPE, text=True,
                                    preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
         self.addCleanup(self.end, process)
-        time.sleep(0.7)
+        self.await_octets("f.csv")
         process.send_signal(signal.SIGHUP)
         _, err = process.communicate(timeout=15)
         self.assertEqual(process.returncode, 0, err)
@@ -206,7 +215,7 @@ class Departures(BoardCase):
     def test_board_that_freezes_in_mid_recording_is_a_device_failure(self):
         server, uri = self.serve()
         process = self.start_program("record", uri, "--duration", "20", "--out", "f.csv")
-        time.sleep(1.0)
+        self.await_octets("f.csv")
         server.send_signal(signal.SIGSTOP)
         _, err = process.communicate(timeout=15)
         self.assertEqual(process.returncode, 3, err)
@@ -219,7 +228,7 @@ class Departures(BoardCase):
     def test_board_that_freezes_for_a_while_is_recorded_on(self):
         server, uri = self.serve()
         process = self.start_program("record", uri, "--duration", "9", "--reconnect", "--json", "--out", "f.csv")
-        time.sleep(1.0)
+        self.await_octets("f.csv")
         server.send_signal(signal.SIGSTOP)
         time.sleep(2.5)         # longer than a board may be silent
         server.send_signal(signal.SIGCONT)
@@ -242,7 +251,7 @@ class Departures(BoardCase):
     def test_board_that_does_not_come_back_in_time_is_a_device_failure(self):
         server, uri = self.serve()
         process = self.start_program("record", uri, "--duration", "3", "--reconnect", "--out", "f.csv")
-        time.sleep(1.0)
+        self.await_octets("f.csv")
         server.kill()
         _, err = process.communicate(timeout=20)
         self.assertEqual(process.returncode, 3, err)
