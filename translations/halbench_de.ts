@@ -107,6 +107,22 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source> And {}. {}</source>
+        <translation> Und {}. {}</translation>
+    </message>
+    <message>
+        <source>When it stood in another cell, disarm it, bring it to the middle of its travel, set hb.home to 1 and start again.</source>
+        <translation>Stand es in einer anderen Zelle, so sperren Sie es, bringen Sie es in die Mitte des Verfahrwegs, setzen Sie hb.home auf 1 und starten Sie neu.</translation>
+    </message>
+    <message>
+        <source>the device was not homed: where it stood was taken for its first cell, from which positions and the ends of travel count</source>
+        <translation>das Gerät war nicht referenziert: wo es stand, gilt als seine erste Zelle, von der aus Lagen und Enden des Verfahrwegs zählen</translation>
+    </message>
+    <message>
+        <source>Check its sensors, home the axes, then start again. Nothing was armed.</source>
+        <translation>Prüfen Sie die Sensoren, referenzieren Sie die Achsen und starten Sie neu. Nichts wurde freigegeben.</translation>
+    </message>
+    <message>
         <source>&apos;line&apos; must be &apos;solid&apos;, &apos;dash&apos;, &apos;dot&apos; or &apos;dash-dot&apos;</source>
         <translation>„line“ muss „solid“, „dash“, „dot“ oder „dash-dot“ sein</translation>
     </message>
@@ -327,14 +343,6 @@
         <translation>die Platte hat keine Konstante &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>Nothing to do unless absolute positions matter.</source>
-        <translation>Nichts zu tun, außer absolute Lagen sind wichtig.</translation>
-    </message>
-    <message>
-        <source>the platen was not homed; the cell where it stood was taken as the first</source>
-        <translation>die Platte war nicht referenziert; die Zelle, in der sie stand, gilt als die erste</translation>
-    </message>
-    <message>
         <source>{} of {} windows of the motion miss rows</source>
         <translation>in {} von {} Fenstern der Bewegung fehlen Zeilen</translation>
     </message>
@@ -477,14 +485,6 @@
     <message>
         <source>Check the chips: one may be damaged or loose, or iron is near.</source>
         <translation>Prüfen Sie die Chips: einer kann beschädigt oder lose sein, oder Eisen ist in der Nähe.</translation>
-    </message>
-    <message>
-        <source>Check the Hall chips, home it, and start again. Nothing was armed.</source>
-        <translation>Prüfen Sie die Hall-Chips, referenzieren Sie sie und beginnen Sie neu. Nichts wurde freigegeben.</translation>
-    </message>
-    <message>
-        <source>the platen is not homed and its chips determine no pose</source>
-        <translation>die Platte ist nicht referenziert, und ihre Chips bestimmen keine Lage</translation>
     </message>
     <message>
         <source>Move it nearer to the middle, or widen window.x and window.y. Nothing was armed.</source>
@@ -2545,10 +2545,6 @@
     <message>
         <source>{} does not fit the other keys: a length with an angle</source>
         <translation>{} passt nicht zu den anderen Schlüsseln: eine Länge mit einem Winkel</translation>
-    </message>
-    <message>
-        <source>Check its sensors, home the axes, then move again. Nothing was armed.</source>
-        <translation>Sensoren prüfen, Achsen referenzieren, dann erneut bewegen. Nichts wurde freigegeben.</translation>
     </message>
     <message>
         <source>the device has no axis zero and cannot find it</source>

@@ -107,6 +107,22 @@
 <context>
     <name>Phrases</name>
     <message>
+        <source> And {}. {}</source>
+        <translation> 另外，{}。{}</translation>
+    </message>
+    <message>
+        <source>When it stood in another cell, disarm it, bring it to the middle of its travel, set hb.home to 1 and start again.</source>
+        <translation>若其停在另一单元，请解除使能，将其移到行程中间，把 hb.home 设为 1，然后重新开始。</translation>
+    </message>
+    <message>
+        <source>the device was not homed: where it stood was taken for its first cell, from which positions and the ends of travel count</source>
+        <translation>设备尚未回零：其停留处被当作第一个单元，位置与行程端点均由此计数</translation>
+    </message>
+    <message>
+        <source>Check its sensors, home the axes, then start again. Nothing was armed.</source>
+        <translation>请检查其传感器，使各轴回零，然后重新开始。未使能任何部件。</translation>
+    </message>
+    <message>
         <source>&apos;line&apos; must be &apos;solid&apos;, &apos;dash&apos;, &apos;dot&apos; or &apos;dash-dot&apos;</source>
         <translation>“line”必须是“solid”、“dash”、“dot”或“dash-dot”</translation>
     </message>
@@ -327,14 +343,6 @@
         <translation>动子没有常数 &apos;{}&apos;</translation>
     </message>
     <message>
-        <source>Nothing to do unless absolute positions matter.</source>
-        <translation>除非绝对位置重要，否则无需处理。</translation>
-    </message>
-    <message>
-        <source>the platen was not homed; the cell where it stood was taken as the first</source>
-        <translation>动子未回零；其所在单元被当作第一个单元</translation>
-    </message>
-    <message>
         <source>{} of {} windows of the motion miss rows</source>
         <translation>{} 个（共 {} 个）运动窗缺行</translation>
     </message>
@@ -477,14 +485,6 @@
     <message>
         <source>Check the chips: one may be damaged or loose, or iron is near.</source>
         <translation>请检查芯片：可能有一个损坏或松动，或附近有铁。</translation>
-    </message>
-    <message>
-        <source>Check the Hall chips, home it, and start again. Nothing was armed.</source>
-        <translation>请检查霍尔芯片，回零后重新开始。未进行任何使能。</translation>
-    </message>
-    <message>
-        <source>the platen is not homed and its chips determine no pose</source>
-        <translation>动子未回零，且其芯片不能确定位姿</translation>
     </message>
     <message>
         <source>Move it nearer to the middle, or widen window.x and window.y. Nothing was armed.</source>
@@ -2545,10 +2545,6 @@
     <message>
         <source>{} does not fit the other keys: a length with an angle</source>
         <translation>{} 与其他键不符：长度与角度混用</translation>
-    </message>
-    <message>
-        <source>Check its sensors, home the axes, then move again. Nothing was armed.</source>
-        <translation>请检查传感器，执行回零，然后再次运动。未使能。</translation>
     </message>
     <message>
         <source>the device has no axis zero and cannot find it</source>

@@ -1,6 +1,6 @@
 #include "app/actuators/planar/platen_board.h"
 
-#include "app/procedures/base/procedure_steps.h"
+#include "app/procedures/base/axis_zero.h"
 #include "control/base/units.h"
 
 #include <fmt/format.h>
@@ -123,35 +123,11 @@ PlatenReach reachFrom(const models::PlanarPose& pose, const PlatenBoard& board) 
 
 Result<PlatenReach> findReach(devices::Device& device, const PlatenBoard& board,
                               const ProcedureObserver& observer, bool& wasHomed) {
-    const std::string homed[] = {"homed"};
-    auto state = device.readSignals(homed);
-    wasHomed = state && state->front() > 0.5;
-    if (state && !wasHomed) {
-        const ParameterValue home[] = {{"hb.home", 1.0}};
-        auto written = device.writeParameters(home);
-        if (!written) {
-            // The board homes no platen that is driven, and one just disarmed brakes for up to 0.3 s.
-            constexpr double Braking_s = 0.35;
-            if (auto waited = waitObserved(device, observer, Braking_s, 0.0, 0.0, "homes"); !waited) {
-                return failure(waited.error());
-            }
-            written = device.writeParameters(home);
-        }
-        if (!written) {
-            return failure(written.error());
-        }
-        if (auto waited = waitObserved(device, observer, 0.05, 0.0, 0.0, "homes"); !waited) {
-            return failure(waited.error());
-        }
-        state = device.readSignals(homed);
+    const auto homed = awaitZero(device, observer);
+    if (!homed) {
+        return failure(homed.error());
     }
-    if (!state) {
-        return failure(state.error());
-    }
-    if (state->front() < 0.5) {
-        return failure(ErrorCode::Refused, "the platen is not homed and its chips determine no pose",
-                       "Check the Hall chips, home it, and start again. Nothing was armed.");
-    }
+    wasHomed = !*homed;
     const std::string names[] = {"position.x", "position.y", "position.phi"};
     const auto pose = device.readSignals(names);
     if (!pose) {

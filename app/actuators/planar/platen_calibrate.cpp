@@ -2,6 +2,7 @@
 
 #include "app/actuators/planar/crosstalk_fit.h"
 #include "app/actuators/planar/platen_motion.h"
+#include "app/procedures/base/axis_zero.h"
 #include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
@@ -230,6 +231,9 @@ Result<void> measure(devices::Device& device, const CalibrateConfig& config,
         return entered;
     }
     conclude(result, samples, *board, compensated.chips, config);
+    if (!wasHomed) {
+        result.quality.findings.push_back(homedHere());
+    }
     return enterState(observer, ProcedureState::Judge);
 }
 

@@ -1,6 +1,7 @@
 #include "app/actuators/planar/platen_identify.h"
 
 #include "app/actuators/planar/platen_estimate.h"
+#include "app/procedures/base/axis_zero.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/identify/axes_run.h"
 
@@ -82,9 +83,7 @@ Result<AxesIdentifyResult> measure(devices::Device& device, const IdentifyConfig
         return failure(entered.error());
     }
     if (!wasHomed) {
-        result.quality.findings.push_back(
-            {"homed_here", "the platen was not homed; the cell where it stood was taken as the first",
-             "Nothing to do unless absolute positions matter."});
+        result.quality.findings.push_back(homedHere());
     }
     nameRowLoss(result.quality, motion->loss);
     result.duration_s = motion->duration_s;

@@ -2,9 +2,9 @@
 
 #include "app/procedures/apply/prediction_monitor.h"
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/base/axis_zero.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/move/leave_end.h"
-#include "app/procedures/move/move_preparation.h"
 #include "app/procedures/tune/position_law_parameters.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "app/procedures/move/move_preparation.h"
 
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/base/axis_zero.h"
 #include "app/procedures/base/coil_forecast.h"
-#include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/standstill.h"
 #include "app/procedures/excite/table_reference.h"
 #include "app/procedures/excite/travel_reference.h"
@@ -177,6 +177,13 @@ Result<void> checkEnds(devices::Device& device, const MoveConfig& config, const 
     return isTable(config.reference) ? checkTableEnds(config.reference, ends) : Result<void>();
 }
 
+// An end that was counted from a guessed cell may be none.
+Error afterHoming(Error error) {
+    const Finding guessed = homedHere();
+    error.hint += fmt::format(" And {}. {}", guessed.message, guessed.hint);
+    return error;
+}
+
 // Without a shape the reference of an axis stays where it is.
 void holdOthers(const devices::Catalogue& catalogue, const devices::AxisSpec& moved,
                 std::vector<ParameterValue>& values) {
@@ -188,41 +195,7 @@ void holdOthers(const devices::Catalogue& catalogue, const devices::AxisSpec& mo
     }
 }
 
-Result<bool> hasZero(devices::Device& device, const std::string& signal) {
-    const std::string names[] = {signal};
-    const auto values = device.readSignals(names);
-    return values ? Result<bool>(values->front() > 0.5) : failure(values.error());
-}
-
 } // namespace
-
-// Positions count from a zero that a board may not know after power-on. Homing moves nothing: it only says
-// where the count begins, so it is done here.
-Result<void> awaitZero(devices::Device& device, const ProcedureObserver& observer) {
-    constexpr double Homing_s = 0.05;
-    const std::string signal = device.catalogue().signalForRole("homed");
-    const std::string order = device.catalogue().parameterForRole("home");
-    if (signal.empty()) {
-        return {};
-    }
-    auto isKnown = hasZero(device, signal);
-    if (isKnown && !*isKnown && !order.empty()) {
-        const ParameterValue home[] = {{order, 1.0}};
-        if (auto written = device.writeParameters(home); !written) {
-            return written;
-        }
-        if (auto waited = waitObserved(device, observer, Homing_s, 0.0, 0.0, "homes"); !waited) {
-            return waited;
-        }
-        isKnown = hasZero(device, signal);
-    }
-    if (!isKnown) {
-        return failure(isKnown.error());
-    }
-    return *isKnown ? Result<void>()
-                    : failure(ErrorCode::Refused, "the device has no axis zero and cannot find it",
-                              "Check its sensors, home the axes, then move again. Nothing was armed.");
-}
 
 // Room for overshoot without friction (68 % of the step, resources/help/htm-theory.md 8.1) and then some.
 double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& config,
@@ -300,7 +273,7 @@ Result<void> setMoveGenerator(devices::Device& device, const MoveConfig& config,
 
 // What the coils will be heated by is known where the effort is their current; a bounded axis is brought to
 // rest by its own loop, so that it need not rest before.
-Result<void> prepareMove(devices::Device& device, const MoveConfig& config, const MoveTask& task,
+Result<bool> prepareMove(devices::Device& device, const MoveConfig& config, const MoveTask& task,
                          const ProcedureObserver& observer) {
     const devices::AxisSpec& axis = task.axis;
     MovePrediction prediction{config.duration_s, 0.0, 0.0};
@@ -317,10 +290,15 @@ Result<void> prepareMove(devices::Device& device, const MoveConfig& config, cons
         return failure(heat.error());
     }
     if (axis.turnsForever) {
-        return awaitStandstill(device, axis, observer);
+        const auto rests = awaitStandstill(device, axis, observer);
+        return rests ? Result<bool>(false) : failure(rests.error());
     }
     const auto homed = awaitZero(device, observer);
-    return homed ? checkEnds(device, config, task) : homed;
+    if (!homed) {
+        return failure(homed.error());
+    }
+    const auto within = checkEnds(device, config, task);
+    return within ? homed : failure(*homed ? afterHoming(within.error()) : within.error());
 }
 
 bool MoveTask::moves(const devices::AxisSpec& other) const {

@@ -27,12 +27,9 @@ double excursionWindow(const devices::Catalogue& catalogue, const MoveConfig& co
 /// Errors: of the axis, its unit and the shape (move_procedure.h), OutOfRange, of the device.
 Result<MoveTask> moveTask(devices::Device& device, const MoveConfig& config);
 
-/// Homes a board that does not know its zero; nothing moves. Errors: Refused, of the device, of the abort.
-Result<void> awaitZero(devices::Device& device, const ProcedureObserver& observer);
-
-/// Waits for cool coils and a rotor at rest, or homes. Errors: Refused, OutOfRange (a reference that leads
-/// beyond the end of an axis), of the device, of the abort.
-Result<void> prepareMove(devices::Device& device, const MoveConfig& config, const MoveTask& task,
+/// Waits for cool coils and a rotor at rest, or homes. True: it was homed now. Errors: Refused, OutOfRange (a
+/// reference that leads beyond the end of an axis), of the device, of the abort.
+Result<bool> prepareMove(devices::Device& device, const MoveConfig& config, const MoveTask& task,
                          const ProcedureObserver& observer);
 Result<void> setMoveWindows(devices::Device& device, const MoveTask& task);
 /// The reference of the axis, the path or the table, none for the others, and mode position.

@@ -1,6 +1,7 @@
 #include "app/procedures/move/move_procedure.h"
 
 #include "app/procedures/base/axis_choice.h"
+#include "app/procedures/base/axis_zero.h"
 #include "app/procedures/base/offered_procedure.h"
 #include "app/procedures/base/procedure_steps.h"
 #include "app/procedures/base/restored_result.h"
@@ -147,8 +148,9 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted
         return failure(task.error());
     }
     const MoveConfig config = atPossibleRate(device, task->axis, wanted);
-    if (auto prepared = prepareMove(device, config, *task, observer); !prepared) {
-        return failure(prepared.error());
+    const auto homed = prepareMove(device, config, *task, observer);
+    if (!homed) {
+        return failure(homed.error());
     }
     if (auto set = setMoveWindows(device, *task); !set) {
         return failure(set.error());
@@ -178,6 +180,9 @@ Result<MoveResult> performMove(devices::Device& device, const MoveConfig& wanted
     Result<MoveResult> result = judgeRecording(*std::move(recording), config, *task, device.catalogue());
     if (result) {
         result->travel_s = travelTime_s(config.reference);
+        if (*homed) {
+            result->quality.findings.push_back(homedHere());
+        }
         nameRowLoss(result->quality, causeOfRowLoss(before, device.statistics()));
     }
     return result;

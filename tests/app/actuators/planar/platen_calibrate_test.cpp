@@ -100,6 +100,9 @@ TEST(PlatenCalibrate, putsTheBoardBackWhenNothingIsApplied) {
     config.which = {Calibration::Hall};
     const CalibrateResult result = calibrated(*device, config);
     EXPECT_EQ(result.proposed.size(), 27U);
+    ASSERT_EQ(result.quality.findings.size(), 1U); // nobody had homed it
+    EXPECT_EQ(result.quality.findings.front().code, "homed_here");
+    EXPECT_EQ(result.quality.verdict, Verdict::Good);
     EXPECT_EQ(*device->readParameters(names), *before);
     EXPECT_FALSE(device->state().isArmed);
 }
