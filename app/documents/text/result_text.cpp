@@ -24,10 +24,10 @@ struct UnitSuffix {
 };
 /// An ending that is the end of another one comes after it.
 constexpr std::array UnitSuffixes = {
-    UnitSuffix{"_rad_s", "rad/s"}, UnitSuffix{"_rad", "rad"}, UnitSuffix{"_degC", "degC"},
-    UnitSuffix{"_deg", "deg"},     UnitSuffix{"_ratio", ""},  UnitSuffix{"_percent", "%"},
-    UnitSuffix{"_A", "A"},         UnitSuffix{"_s", "s"},     UnitSuffix{"_m", "m"},
-    UnitSuffix{"_Nm", "N*m"},      UnitSuffix{"_N", "N"},
+    UnitSuffix{"_rad_s", "rad/s"}, UnitSuffix{"_m_s", "m/s"}, UnitSuffix{"_rad", "rad"},
+    UnitSuffix{"_degC", "degC"},   UnitSuffix{"_deg", "deg"}, UnitSuffix{"_ratio", ""},
+    UnitSuffix{"_percent", "%"},   UnitSuffix{"_A", "A"},     UnitSuffix{"_s", "s"},
+    UnitSuffix{"_m", "m"},         UnitSuffix{"_Nm", "N*m"},  UnitSuffix{"_N", "N"},
 };
 
 std::string figureLine(std::string name, const JsonValue& value) {

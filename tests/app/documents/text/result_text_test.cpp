@@ -14,11 +14,12 @@ TEST(ResultText, findingsFollowTheVerdictALineEach) {
 TEST(ResultText, aFigureHasTheUnitThatItsNameEndsWith) {
     JsonValue figures = JsonValue::object();
     figures.set("rise_time_s", 0.25).set("top_speed_rad_s", 12.0).set("lock_time_s", JsonValue());
-    figures.set("parts", JsonValue::object());
+    figures.set("ramp_end_speed_m_s", 0.005).set("parts", JsonValue::object());
     EXPECT_EQ(figureLines("step", figures), "step\n"
                                             "  rise time                0.25 s\n"
                                             "  top speed                12 rad/s\n"
-                                            "  lock time                none\n");
+                                            "  lock time                none\n"
+                                            "  ramp end speed           0.005 m/s\n");
 }
 
 TEST(ResultText, anEstimateShowsItsIntervalAndSource) {
