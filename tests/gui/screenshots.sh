@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Pictures of every perspective, empty, with a moving motor and with its results: light and dark, at 1x and 2x,
-# into FOLDER. SIZE=1280x720 takes those of another window, SUBJECT=monitor only those of the Monitor's typical uses.
+# into FOLDER. SIZE=1280x720 takes those of another window, SUBJECT=monitor only those of the Monitor's typical uses,
+# SUBJECT=sim:planar those of another device.
 # usage: [SIZE=WIDTHxHEIGHT] [SUBJECT=NAME] tests/gui/screenshots.sh FOLDER [LANGUAGE...]
 set -euo pipefail
 folder=$(realpath -m "${1:?usage: tests/gui/screenshots.sh FOLDER [LANGUAGE...]}")

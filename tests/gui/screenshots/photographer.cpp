@@ -86,9 +86,24 @@ bool Photographer::takeAll() {
         return false;
     }
     startMotion("sine,amplitude_deg=100,period_s=2");
+    front("monitor");
     QTest::qWait(DataTime_ms);
     takePerspectives({});
     return endMotion() && takeCalibration() && takeIdentification() && takeTuning() && m_isSaved;
+}
+
+bool Photographer::takeDevice(const QString& uri) {
+    m_window.connectDevice(uri);
+    if (!wait([this] { return !m_window.bench().deviceValues().empty(); })) {
+        return false;
+    }
+    front("monitor");
+    for (const Perspective perspective : {Perspective::Monitor, Perspective::Field}) {
+        m_window.docks().setPerspective(perspective);
+        QTest::qWait(DataTime_ms);
+        take(QStringLiteral("device-") + perspectiveId(perspective));
+    }
+    return m_isSaved;
 }
 
 Preferences Photographer::dressed(const QString& language) {

@@ -38,6 +38,8 @@ public:
     /// played.
     bool takeRecordings();
     bool takeAll();
+    /// Where it is watched: its signals, and its field and pose, after a while of any motion of its own.
+    bool takeDevice(const QString& uri);
 
 private:
     static constexpr int Patience_ms = 120000;

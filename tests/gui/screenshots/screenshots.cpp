@@ -19,10 +19,12 @@ int main(int count, char** words) {
         {"relay", &Photographer::takeRelay},
         {"tune", &Photographer::takeTune},
         {"dragging", &Photographer::takeDragging}};
-    const auto subject = subjects.find(count == 6 ? QByteArray(words[5]) : QByteArray(""));
-    if (count < 5 || count > 6 || subject == subjects.end()) {
+    const QByteArray name = count == 6 ? QByteArray(words[5]) : QByteArray("");
+    const bool isDevice = name.startsWith("sim:");
+    const auto subject = subjects.find(name);
+    if (count < 5 || count > 6 || (subject == subjects.end() && !isDevice)) {
         std::fprintf(stderr, "usage: halbench_screenshots FOLDER LANGUAGE WIDTH HEIGHT "
-                             "[monitor|help|recordings|calibration|relay|tune|dragging]\n");
+                             "[monitor|help|recordings|calibration|relay|tune|dragging|sim:NAME]\n");
         return 2;
     }
     qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -34,5 +36,7 @@ int main(int count, char** words) {
     speak(application, language);
     QDir().mkpath(folder);
     Photographer photographer(folder, language, size);
-    return (photographer.*subject->second)() ? 0 : 1;
+    const bool isTaken =
+        isDevice ? photographer.takeDevice(QString::fromUtf8(name)) : (photographer.*subject->second)();
+    return isTaken ? 0 : 1;
 }
