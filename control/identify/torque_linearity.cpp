@@ -112,6 +112,21 @@ Eigen::Vector3d changeOf(const ScatterFit& extended, const BalanceFit& fit) {
             values(0) - *fit.torque_rad_s2_A};
 }
 
+// The variance of the change is what the further unknown adds to that of the line.
+Eigen::Vector3d allowedOf(const Eigen::Vector3d& change, const ScatterFit& extended, const BalanceFit& fit) {
+    const Eigen::MatrixXd& covariance = extended.fit.covariance;
+    const Eigen::Index directions = extended.fit.coefficients.size() - 2;
+    const auto count = static_cast<double>(directions);
+    const Eigen::Vector3d variance(
+        0.0, covariance.block(1, 1, directions, directions).sum() / (count * count), covariance(0, 0));
+    Eigen::Vector3d allowed = change;
+    for (const Eigen::Index i : {1, 2}) {
+        const double added = std::sqrt(std::max(variance(i) - fit.scatterCovariance(i, i), 0.0));
+        allowed(i) += std::copysign(added, change(i));
+    }
+    return allowed;
+}
+
 std::optional<TorqueLinearity> tryOne(const Candidate& candidate, const MotionFit& motion,
                                       const BalanceFit& fit, const Eigen::VectorXd& variance) {
     const Eigen::Index columns = fit.design.cols();
@@ -145,6 +160,7 @@ std::optional<TorqueLinearity> tryOne(const Candidate& candidate, const MotionFi
     if (candidate.departure == TorqueDeparture::GainByDirection) {
         tested.change(2) = value; // each direction lies that far from the mean of both
     }
+    tested.allowed = allowedOf(tested.change, *extended, fit);
     return tested;
 }
 

@@ -28,6 +28,8 @@ struct TorqueLinearity {
     double probability = 1.0; ///< of a larger departure by chance, for all that were tried together
     /// Change of (a, K_f/J, phi/J) when the departure is part of the model; a does not change.
     Eigen::Vector3d change = Eigen::Vector3d::Zero();
+    /// As much change as the data allow at one sigma: `change`, and beyond it the error that it has itself.
+    Eigen::Vector3d allowed = Eigen::Vector3d::Zero();
     bool isSignificant = false; ///< chance does not explain it
     bool isNotable = false;     ///< significant, and moves the constants more than their intervals or 2 %
 };

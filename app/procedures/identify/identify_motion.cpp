@@ -116,6 +116,39 @@ Result<void> takeMissingForces(std::span<const control::MotionSegment> segments,
     return {};
 }
 
+// A motor with much friction stops sooner than a stretch should last. Without any coast-down its friction is
+// read from driven motion alone, where nothing tells it from a torque that is not proportional to the
+// current. Shorter ones are too coarse for the constants, but show that.
+std::optional<control::TorqueLinearity>
+testByBriefCoastDowns(std::span<const double> time_s, std::span<const double> angle_rad,
+                      std::span<const control::CurrentPlateau> plateaus,
+                      const control::MotionFitConfig& motionConfig, const control::SegmentConfig& usual) {
+    constexpr double Brief_s = 0.05;
+    const auto coasts = [&usual](const auto& stretch) {
+        return std::fabs(stretch.current_A) <= usual.sameCurrent_A;
+    };
+    control::SegmentConfig brief = usual;
+    brief.shortest_s = Brief_s;
+    std::vector<control::MotionSegment> segments;
+    for (std::size_t i = 0; i < plateaus.size(); ++i) { // one by one, in the order of time
+        auto found = control::findMotion(time_s, angle_rad, plateaus.subspan(i, 1),
+                                         coasts(plateaus[i]) ? brief : usual);
+        std::move(found.begin(), found.end(), std::back_inserter(segments));
+    }
+    if (std::none_of(segments.begin(), segments.end(), coasts)) {
+        return std::nullopt;
+    }
+    const auto motion = control::fitMotion(segments, motionConfig);
+    const auto balance = motion ? control::fitBalance(*motion) : failure(motion.error());
+    return balance ? control::testTorqueLinearity(*motion, *balance) : std::nullopt;
+}
+
+bool hasCoastDown(std::span<const control::MotionSegment> segments, const control::SegmentConfig& usual) {
+    return std::any_of(segments.begin(), segments.end(), [&usual](const control::MotionSegment& segment) {
+        return std::fabs(segment.current_A) <= usual.sameCurrent_A;
+    });
+}
+
 } // namespace
 
 control::SegmentConfig segmentConfigOf(const IdentifyConfig& config) {
@@ -160,7 +193,14 @@ Result<void> fitTransients(std::span<const double> time_s, std::span<const doubl
         return goesOn;
     }
     fits.linearity = control::testTorqueLinearity(*fits.motion, *fits.balance);
-    return {};
+    const control::SegmentConfig usual = segmentConfigOf(config);
+    if (fits.linearity && !fits.linearity->isNotable && !hasCoastDown(segments, usual)) {
+        const auto brief = testByBriefCoastDowns(time_s, angle_rad, plateaus, motionConfig, usual);
+        if (brief && brief->isNotable) {
+            fits.linearity = brief;
+        }
+    }
+    return askedToEnd(checkAbort);
 }
 
 } // namespace halbench::app

@@ -109,19 +109,27 @@ void judgeScatter(IdentifyResult& result, const IdentifyFits& fits) {
 } // namespace
 
 void addDepartureError(control::MotorRatios& ratios, const IdentifyFits& fits) {
-    constexpr double Feared = 0.1;
+    // Below 0.1 something is there. Up to 0.3 it may be: then as much as the data allow of it, but no more
+    // than a twentieth. Of a larger one they would show more.
+    constexpr double Feared = 0.1, Possible = 0.3, LargestPossible_ratio = 0.05;
     if (!fits.linearity || fits.linearity->departure == TorqueDeparture::Unnamed ||
-        !(fits.linearity->probability < Feared)) {
+        !(fits.linearity->probability < Possible)) {
         return;
     }
+    const bool isFeared = fits.linearity->probability < Feared;
+    const Eigen::Vector3d& moved = isFeared ? fits.linearity->change : fits.linearity->allowed;
     const auto count = static_cast<Eigen::Index>(ratios.ratios.size());
     Eigen::VectorXd change = Eigen::VectorXd::Zero(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-        const auto numerator = ratios.ratios[static_cast<std::size_t>(i)].numerator;
-        if (numerator == control::MotorConstant::Friction) {
-            change(i) = fits.linearity->change(1);
-        } else if (numerator == control::MotorConstant::Torque) {
-            change(i) = fits.linearity->change(2);
+        const control::MotorRatio& ratio = ratios.ratios[static_cast<std::size_t>(i)];
+        if (ratio.numerator == control::MotorConstant::Friction) {
+            change(i) = moved(1);
+        } else if (ratio.numerator == control::MotorConstant::Torque) {
+            change(i) = moved(2);
+        }
+        if (!isFeared) {
+            const double largest = LargestPossible_ratio * std::fabs(ratio.value);
+            change(i) = std::clamp(change(i), -largest, largest);
         }
     }
     ratios.errors.push_back({change * change.transpose(), std::numeric_limits<double>::infinity()});

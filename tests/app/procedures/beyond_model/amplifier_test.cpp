@@ -54,6 +54,24 @@ TEST(IdentifyOnABadAmplifier, saysThatADeadZoneTakesCurrentAway) {
     expectNotProportional(motor, "torque is not proportional to the commanded current");
 }
 
+// Their coast-downs last less than 0.12 s: friction is read from driven motion alone, phi was 24 and 31 %
+// off.
+TEST(IdentifyOnABadAmplifier, isFoundOutByCoastDownsThatAreTooShortForTheConstants) {
+    for (const std::uint64_t seed : {156, 197}) {
+        const BeyondModelOutcome outcome = identifiedBeyondTheModel(motorOnABadAmplifier(seed), seed);
+        EXPECT_FALSE(outcome.isGood) << outcome.text;
+        EXPECT_NE(outcome.text.find("torque_not_proportional"), std::string::npos) << outcome.text;
+    }
+}
+
+// Chance explains what they show in 10 to 28 of 100 cases; phi is 1 to 2.4 % off.
+TEST(IdentifyOnABadAmplifier, thatIsHardlySeenWidensTheInterval) {
+    for (const std::uint64_t seed : {79, 116, 147, 163, 189}) {
+        const BeyondModelOutcome outcome = identifiedBeyondTheModel(motorOnABadAmplifier(seed), seed);
+        EXPECT_TRUE(outcome.isRight) << outcome.text;
+    }
+}
+
 TEST(IdentifyOnABadAmplifier, motorsThatTheModelDescribesStayGood) {
     int good = 0;
     for (std::uint64_t seed = 0; seed < 20; ++seed) {

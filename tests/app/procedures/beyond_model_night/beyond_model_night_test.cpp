@@ -9,8 +9,10 @@ TEST(IdentifyBeyondTheModel, isRightOrNotGoodFor200Motors) {
     EXPECT_LE(countWrongAndGood(1, 200), 4);
 }
 
+// The same. What takes less than the friction's scatter of 3.3 % from the torque is not seen: of the size of
+// a dead zone of 0.07 A at 4 A.
 TEST(IdentifyOnABadAmplifierNight, isRightOrNotGoodForTwoHundred) {
-    EXPECT_EQ(countWrongAndGoodOnBadAmplifiers(0, 199), 0);
+    EXPECT_LE(countWrongAndGoodOnBadAmplifiers(0, 199), 4);
 }
 
 } // namespace
