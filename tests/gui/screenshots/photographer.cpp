@@ -86,6 +86,7 @@ bool Photographer::takeAll() {
         return false;
     }
     startMotion("sine,amplitude_deg=100,period_s=2");
+    m_window.docks().setPerspective(Perspective::Monitor);
     front("monitor");
     QTest::qWait(DataTime_ms);
     takePerspectives({});
