@@ -80,11 +80,21 @@ void belongToWindow(ads::CFloatingDockContainer& window) {
     window.setWindowFlags((window.windowFlags() & ~Qt::WindowType_Mask) | Qt::Tool);
 }
 
+/// Whenever the main window becomes active the docking library puts floating windows above it. On X11 it does
+/// so in place; elsewhere (Wayland, no display) by a window flag whose change hides them, with their STOP.
+/// Tools of the window stay above it by themselves.
+void leaveFloatingWindowsShown(QWidget& window, ads::CDockManager& manager) {
+    if (QGuiApplication::platformName() != QLatin1String("xcb")) {
+        window.removeEventFilter(&manager);
+    }
+}
+
 } // namespace
 
 DockLayout::DockLayout(QWidget* container) : QObject(container), m_specs(panelSpecs()) {
     configureDocking();
     m_manager = new ads::CDockManager(container);
+    leaveFloatingWindowsShown(*container->window(), *m_manager);
     widgets::clearOwnSheet(*m_manager);
     connect(m_manager, &ads::CDockManager::dockAreaCreated, this, &DockLayout::watchTabs);
     connect(m_manager, &ads::CDockManager::floatingWidgetCreated, this,

@@ -194,6 +194,22 @@ TEST_F(ShellTest, aFloatingDockCarriesAStopOfItsOwn) {
     EXPECT_TRUE(wait([&] { return session().report().board.isStopLatched; }));
 }
 
+// The docking library hid it then, outside of X11.
+TEST_F(ShellTest, aFloatingDockStaysInSightWhenTheWindowBecomesActiveAndWhenItIsLeft) {
+    open();
+    window->docks().raise("parameters");
+    dock("parameters").setFloating();
+    auto* floating = dock("parameters").floatingDockContainer();
+    ASSERT_NE(floating, nullptr);
+    ASSERT_TRUE(wait([&] { return floating->isVisible(); }));
+    for (const QEvent::Type change :
+         {QEvent::WindowActivate, QEvent::WindowDeactivate, QEvent::WindowActivate}) {
+        QEvent event(change);
+        QApplication::sendEvent(window.get(), &event);
+        EXPECT_TRUE(floating->isVisible()) << change;
+    }
+}
+
 TEST_F(ShellTest, aFloatingDockOfARestoredArrangementCarriesItsStopToo) {
     open();
     window->docks().raise("parameters");
